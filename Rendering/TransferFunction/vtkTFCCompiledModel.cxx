@@ -1,0 +1,3 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTFCCompiledModel.h"
