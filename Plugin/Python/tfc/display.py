@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: the Transfer Function Combinations developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rendering a combined transfer function in a ParaView view."""
+
+from .plugin import load_plugin
+
+REPRESENTATION = "Combined Volume"
+
+
+def _arrays(source):
+    """(name -> array information, association) of the point arrays, then of the cell arrays."""
+    information = source.GetDataInformation()
+    for attributes in (information.GetPointDataInformation(), information.GetCellDataInformation()):
+        yield {
+            attributes.GetArrayInformation(i).GetName(): attributes.GetArrayInformation(i)
+            for i in range(attributes.GetNumberOfArrays())
+        }
+
+
+def find_array(source, name, component=0):
+    """Information about a point or cell array of a source's output. Raises KeyError with the arrays
+    that there are.
+    """
+    known = []
+    for arrays in _arrays(source):
+        if name in arrays:
+            count = arrays[name].GetNumberOfComponents()
+            if not -1 <= component < count:
+                raise KeyError(
+                    f"array {name!r} has {count} component{'' if count == 1 else 's'}; "
+                    f"there is no component {component}"
+                )
+            return arrays[name]
+        known += list(arrays)
+    raise KeyError(f"no array {name!r}; there are: {', '.join(known) or 'none'}")
+
+
+def _fill_range(source, attribute):
+    """Give an attribute without a range that of the data, over all ranks."""
+    array = find_array(source, attribute["array"], attribute["component"])
+    if attribute.get("range") is None:
+        low, high = array.GetComponentFiniteRange(attribute["component"])
+        if not low < high:
+            low, high = (low, low + 1) if low == high else (0.0, 1.0)
+        attribute["range"] = [low, high]
+
+
+def _prepare(source, tf):
+    """Check a transfer function against the data and fill in the ranges it leaves open."""
+    source.UpdatePipeline()
+    kind = source.GetDataInformation().GetDataSetTypeAsString()
+    if kind not in ("vtkImageData", "vtkUniformGrid", "vtkStructuredPoints"):
+        raise TypeError(
+            f"a combined transfer function renders a vtkImageData, not a {kind}; "
+            "the filter 'Resample To Image' makes one"
+        )
+    _fill_range(source, tf.primary)
+    _fill_range(source, tf.secondary)
+    for region in tf.regions:
+        if region.tertiary_state:
+            _fill_range(source, region.tertiary_state)
+    return tf.to_json()
+
+
+def show(source, tf, view=None, unit_distance=None, shade=None):
+    """Show a source as "Combined Volume" with a transfer function and return the display.
+
+    ``unit_distance`` is the length, in world units, over which the opacities of the regions hold
+    (ParaView's choice by default: about one cell); ``shade`` switches lighting by the gradient of the
+    primary attribute. Ranges that the transfer function leaves open are taken from the data. Raises
+    KeyError for an unknown array, TypeError when the source is not an image.
+    """
+    from paraview import simple
+
+    load_plugin()
+    view = view or simple.GetActiveViewOrCreate("RenderView")
+    state = _prepare(source, tf)
+    display = simple.Show(source, view)
+    available = list(display.GetProperty("Representation").GetAvailable())
+    if REPRESENTATION not in available:
+        raise RuntimeError(
+            f"the server does not offer the representation {REPRESENTATION!r}: the plugin "
+            "TransferFunctionCombinations must be loaded there too"
+        )
+    display.SetRepresentationType(REPRESENTATION)
+    display.TransferFunction = state
+    if unit_distance is not None:
+        display.ScalarOpacityUnitDistance = unit_distance
+    if shade is not None:
+        display.Shade = 1 if shade else 0
+    return display
+
+
+def apply(display, tf):
+    """Give a display that :func:`show` returned an edited transfer function. The view is not
+    rendered.
+    """
+    display.TransferFunction = _prepare(display.Input, tf)

@@ -1,0 +1,59 @@
+# SPDX-FileCopyrightText: the Transfer Function Combinations developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which attribute to combine: the score of the paper's section 3.2."""
+
+from collections import namedtuple
+
+from .display import find_array
+from .plugin import load_plugin
+
+Score = namedtuple("Score", "attribute correlation entropy score rank")
+Score.__doc__ = """One row of the score table: the correlation is with the primary attribute, the
+entropy in bits, rank 1 is best; 0 stands for the axes themselves and for attributes without a score."""
+
+
+def score(source, primary, secondary=None, arrays=None, balance=0.4, bins=256, fill_values=()):
+    """Rank the attributes of a source as tertiary attributes, best first (Eq. 3 of the paper).
+
+    ``arrays`` are the attributes to look at, by default all point arrays. ``balance`` is the a of
+    Eq. 3, in [0, 1): larger weighs low correlation with the primary attribute more, smaller weighs
+    high entropy more. ``fill_values`` are numbers that stand for missing data; NaN always does.
+    Returns a list of :class:`Score`. The axes follow with rank 0.
+    """
+    from paraview import servermanager, simple
+
+    load_plugin()
+    source.UpdatePipeline()
+    for name in [primary, secondary] + list(arrays or []):
+        if name is not None:
+            find_array(source, name)
+    scores = simple.CombinationScore(registrationName="tfc.score", Input=source)
+    try:
+        scores.Primary = primary
+        scores.Secondary = secondary or ""
+        if arrays is not None:
+            wanted = list(arrays)
+            wanted += [n for n in (primary, secondary) if n is not None and n not in wanted]
+            scores.Arrays = wanted
+        scores.Balance = balance
+        scores.NumberOfBins = bins
+        if fill_values:
+            scores.FillValues = list(fill_values)
+        scores.UpdatePipeline()
+        # Every rank has the whole table.
+        table = servermanager.Fetch(scores, 0)
+    finally:
+        simple.Delete(scores)
+    rows = []
+    for row in range(table.GetNumberOfRows()):
+        value = lambda column: table.GetValueByName(row, column)
+        rows.append(
+            Score(
+                value("attribute").ToString(),
+                value("correlation").ToDouble(),
+                value("entropy").ToDouble(),
+                value("score").ToDouble(),
+                value("rank").ToInt(),
+            )
+        )
+    return rows

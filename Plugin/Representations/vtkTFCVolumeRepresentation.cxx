@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTFCVolumeRepresentation.h"
+
+#include "vtkTFCAttributeReader.h"
+#include "vtkTFCTransferFunction.h"
+#include "vtkTFCVolumeMapper.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVLODVolume.h"
+#include "vtkPVView.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <limits>
+
+vtkStandardNewMacro(vtkTFCVolumeRepresentation);
+
+//------------------------------------------------------------------------------
+vtkTFCVolumeRepresentation::vtkTFCVolumeRepresentation()
+{
+  auto mapper = vtkSmartPointer<vtkTFCVolumeMapper>::New();
+  mapper->SetTransferFunction(this->Model);
+  this->VolumeMapper = mapper;
+  this->Property->SetIndependentComponents(0);
+  this->Property->SetInterpolationTypeToLinear();
+}
+
+//------------------------------------------------------------------------------
+vtkTFCVolumeRepresentation::~vtkTFCVolumeRepresentation() = default;
+
+//------------------------------------------------------------------------------
+vtkTFCVolumeMapper* vtkTFCVolumeRepresentation::GetMapper()
+{
+  return static_cast<vtkTFCVolumeMapper*>(this->VolumeMapper.Get());
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetTransferFunction(const char* state)
+{
+  // Not MarkModified(): the data this representation delivers does not depend on the model.
+  this->Model->SetState(state);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetSampleDistance(double distance)
+{
+  this->GetMapper()->SetSampleDistance(distance);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetCroppingRegionFlags(int flags)
+{
+  this->VolumeMapper->SetCroppingRegionFlags(flags);
+}
+
+//------------------------------------------------------------------------------
+int vtkTFCVolumeRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->UpdateAutomaticRanges();
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkTFCVolumeRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!this->Superclass::RequestUpdateExtent(request, inputVector, outputVector))
+  {
+    return 0;
+  }
+  for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = inputVector[0]->GetInformationObject(i);
+    if (info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+    {
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 1);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkTFCVolumeRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!this->Superclass::RequestData(request, inputVector, outputVector))
+  {
+    return 0;
+  }
+  this->DataTime.Modified();
+  if (vtkImageData* input = vtkImageData::GetData(inputVector[0], 0))
+  {
+    // The base class cropped the ghost cells off its copy, and with it set the bounds that order the
+    // ranks: those stay. The mapper gets them all and draws its own part.
+    this->Cache = vtk::TakeSmartPointer(input->NewInstance());
+    this->Cache->ShallowCopy(input);
+    this->VolumeMapper->SetInputData(vtkImageData::SafeDownCast(this->Cache));
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// Axes without a range in the model run over the finite values on all ranks. View requests reach all
+// processes in the same order with the same model, so the reduction is collective.
+void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
+{
+  if (this->Model->HasAxisRange(vtkTFCTransferFunction::Primary) &&
+    this->Model->HasAxisRange(vtkTFCTransferFunction::Secondary))
+  {
+    this->GetMapper()->ClearAutomaticRanges();
+    return;
+  }
+  const vtkMTimeType newest = std::max(this->Model->GetMTime(), this->DataTime.GetMTime());
+  if (this->RangesTime == newest || this->Model->GetNumberOfRegions() == 0)
+  {
+    return;
+  }
+  this->RangesTime = newest;
+
+  // Minima as they are, maxima negated: one reduction.
+  double local[4];
+  std::fill(local, local + 4, std::numeric_limits<double>::infinity());
+  vtkTFCCompiledModel model = this->Model->Compile();
+  model.Attributes.resize(2);
+  vtkTFCAttributeReader reader;
+  std::string error; // the mapper reports it
+  auto* image = vtkImageData::SafeDownCast(this->Cache);
+  if (image && reader.Bind(image, model.Attributes, error))
+  {
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      double range[2];
+      reader.FiniteRange(axis, range);
+      if (range[0] <= range[1])
+      {
+        local[2 * axis] = range[0];
+        local[2 * axis + 1] = -range[1];
+      }
+    }
+  }
+  double global[4];
+  std::copy(local, local + 4, global);
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    controller->AllReduce(local, global, 4, vtkCommunicator::MIN_OP);
+  }
+  double ranges[2][2];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    ranges[axis][0] = global[2 * axis];
+    ranges[axis][1] = -global[2 * axis + 1];
+  }
+  this->GetMapper()->SetAutomaticRanges(ranges[0], ranges[1]);
+}
+
+//------------------------------------------------------------------------------
+// Bounds of the whole dataset, not of this rank's part.
+void vtkTFCVolumeRepresentation::FindWholeBounds(double bounds[6])
+{
+  std::copy(this->DataBounds, this->DataBounds + 6, bounds);
+  auto* image = vtkImageData::SafeDownCast(this->Cache);
+  if (image && this->WholeExtent[0] <= this->WholeExtent[1])
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double origin = image->GetOrigin()[axis];
+      const double spacing = image->GetSpacing()[axis];
+      const double ends[2] = { origin + spacing * this->WholeExtent[2 * axis],
+        origin + spacing * this->WholeExtent[2 * axis + 1] };
+      bounds[2 * axis] = std::min(ends[0], ends[1]);
+      bounds[2 * axis + 1] = std::max(ends[0], ends[1]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Not the base class's: that sets up VTK's own transfer functions, which changes the property and
+// with it the shader at every frame, and hides the volume while no array is selected for colouring.
+void vtkTFCVolumeRepresentation::UpdateMapperParameters()
+{
+  this->Actor->SetMapper(this->VolumeMapper);
+  this->Actor->SetVisibility(this->GetVisibility());
+  if (this->Property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION)
+  {
+    // ParaView's default for this property is cubic, which is for surfaces.
+    this->Property->SetInterpolationTypeToLinear();
+  }
+  if (this->VolumeMapper->GetCropping())
+  {
+    // The base class takes the bounds of the rank.
+    double bounds[6];
+    double planes[6];
+    this->FindWholeBounds(bounds);
+    for (int i = 0; i < 6; ++i)
+    {
+      planes[i] = this->CroppingOrigin[i / 2] + bounds[i] * this->CroppingScale[i / 2];
+    }
+    this->VolumeMapper->SetCroppingRegionPlanes(planes);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  this->Model->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkTFCVolumeRepresentation
+ * @brief ParaView's "Combined Volume": a vtkImageData ray cast with a combined transfer function.
+ *
+ * Thin: the picture is vtkTFCVolumeMapper's. This class gives the mapper its model and properties,
+ * asks the pipeline for one layer of ghost cells (so that shading is the same on both sides of a
+ * border between ranks), keeps that layer while telling the view the bounds without it, and finds the
+ * range of an axis that the model leaves automatic over all ranks.
+ *
+ * An edit of TransferFunction does not execute the pipeline.
+ */
+
+#ifndef vtkTFCVolumeRepresentation_h
+#define vtkTFCVolumeRepresentation_h
+
+#include "vtkImageVolumeRepresentation.h"
+#include "vtkNew.h"                      // For the model
+#include "vtkTFCRepresentationsModule.h" // For export macro
+
+class vtkTFCTransferFunction;
+class vtkTFCVolumeMapper;
+
+class VTKTFCREPRESENTATIONS_EXPORT vtkTFCVolumeRepresentation : public vtkImageVolumeRepresentation
+{
+public:
+  static vtkTFCVolumeRepresentation* New();
+  vtkTypeMacro(vtkTFCVolumeRepresentation, vtkImageVolumeRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * State of the model as JSON. A state that cannot be read is reported and the previous one stays in
+   * force. Default: empty, which draws nothing.
+   */
+  void SetTransferFunction(const char* state);
+
+  /**
+   * World distance between samples along a ray; 0: half the mean spacing. Default: 0.
+   */
+  void SetSampleDistance(double distance);
+
+  /**
+   * 27-bit mask of the cropping regions that stay visible while cropping is on, as
+   * vtkVolumeMapper::SetCroppingRegionFlags(). Default: 8192, the inside of the box.
+   */
+  void SetCroppingRegionFlags(int flags);
+
+  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo,
+    vtkInformation* outInfo) override;
+
+protected:
+  vtkTFCVolumeRepresentation();
+  ~vtkTFCVolumeRepresentation() override;
+
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void UpdateMapperParameters() override;
+
+private:
+  vtkTFCVolumeRepresentation(const vtkTFCVolumeRepresentation&) = delete;
+  void operator=(const vtkTFCVolumeRepresentation&) = delete;
+
+  vtkTFCVolumeMapper* GetMapper();
+  void UpdateAutomaticRanges();
+  void FindWholeBounds(double bounds[6]);
+
+  vtkNew<vtkTFCTransferFunction> Model;
+  vtkMTimeType RangesTime = 0;
+  vtkTimeStamp DataTime;
+};
+
+#endif

@@ -1,0 +1,122 @@
+// One ray as a sequence of intervals.
+//
+// The ray is cut at the multiples of the sample distance, counted from the eye, and at the ends of
+// what is visible of this block. Each piece is classified at its middle and weighs its own length
+// (midpoint rule). Cuts do not depend on where a block begins, so two blocks that share a face, in
+// one process or on two ranks, add up to what one block would have given.
+//
+// Positions are texture coordinates; u counts sample distances from the entry into the volume.
+
+uniform vec3 in_tfcBoxMin;        // visible part of the block
+uniform vec3 in_tfcBoxMax;
+uniform int in_tfcClipCount;      // clipping planes: visible where dot(plane, vec4(p, 1)) >= 0
+uniform vec4 in_tfcClipPlanes[16];
+uniform vec3 in_tfcCropMin;       // the two cropping planes of each axis
+uniform vec3 in_tfcCropMax;
+uniform int in_tfcCropFlags;      // bit r: cropping region r is visible; -1: no cropping
+
+vec3 g_tfcSegmentStart; // start of the segment that a render pass asked for
+vec3 g_tfcOrigin;       // u = 0
+float g_tfcBegin;       // visible u
+float g_tfcEnd;
+float g_tfcPhase;       // u of the cut before the entry, negated
+int g_tfcInterval;
+float g_tfcWeight;      // length of the current piece, in sample distances
+float g_tfcWorldStep;   // world length of one sample distance
+
+vec3 computeRayDirection();
+
+void tfcKeep(bool inside)
+{
+  if (!inside)
+  {
+    g_tfcEnd = g_tfcBegin - 1.0;
+  }
+}
+
+// Intersect the visible u with f0 + u * slope >= 0.
+void tfcClipHalfSpace(float f0, float slope)
+{
+  if (slope > 0.0)
+  {
+    g_tfcBegin = max(g_tfcBegin, -f0 / slope);
+  }
+  else if (slope < 0.0)
+  {
+    g_tfcEnd = min(g_tfcEnd, -f0 / slope);
+  }
+  else
+  {
+    tfcKeep(f0 >= 0.0);
+  }
+}
+
+// Called once per ray, when the entry, the end (opaque geometry) and the step are known.
+void tfcBeginRay()
+{
+  float inverseSquare = 1.0 / dot(g_dirStep, g_dirStep);
+  g_tfcOrigin = g_rayOrigin - g_rayJitter;
+
+  bool wholeRay = all(equal(g_tfcSegmentStart, g_rayOrigin));
+  g_tfcBegin = wholeRay ? 0.0
+    : max(0.0, dot(g_tfcSegmentStart - g_tfcOrigin, g_dirStep) * inverseSquare);
+  g_tfcEnd = dot(g_terminatePos - g_tfcOrigin, g_dirStep) * inverseSquare;
+
+  // The entry lies on the proxy geometry up to rounding: give rays along a face that much.
+  const vec3 tolerance = vec3(1e-6);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bool along = abs(g_dirStep[axis]) < 1e-12;
+    float slope = along ? 0.0 : g_dirStep[axis];
+    tfcClipHalfSpace(g_tfcOrigin[axis] - in_tfcBoxMin[axis] + (along ? tolerance[axis] : 0.0), slope);
+    tfcClipHalfSpace(in_tfcBoxMax[axis] - g_tfcOrigin[axis] + (along ? tolerance[axis] : 0.0), -slope);
+  }
+  for (int i = 0; i < in_tfcClipCount; ++i)
+  {
+    tfcClipHalfSpace(dot(in_tfcClipPlanes[i], vec4(g_tfcOrigin, 1.0)),
+      dot(in_tfcClipPlanes[i].xyz, g_dirStep));
+  }
+
+  vec3 direction = (in_volumeMatrix[0] * vec4(computeRayDirection(), 0.0)).xyz;
+  float scale = length(direction);
+  g_tfcWorldStep = in_sampleDistance * scale;
+  vec3 entry = (in_volumeMatrix[0] * vec4(ip_vertexPos, 1.0)).xyz;
+  g_tfcPhase = fract(dot(entry - in_cameraPos, direction / scale) / g_tfcWorldStep + g_jitterValue);
+  g_tfcInterval = int(floor(g_tfcBegin + g_tfcPhase));
+
+  // Also false for NaN: nothing to do.
+  if (!(g_tfcEnd > g_tfcBegin))
+  {
+    g_exit = true;
+  }
+}
+
+// Move to the middle of the current piece.
+void tfcBeginSample()
+{
+  float cut = float(g_tfcInterval) - g_tfcPhase;
+  float begin = max(cut, g_tfcBegin);
+  float end = min(cut + 1.0, g_tfcEnd);
+  g_tfcWeight = max(end - begin, 0.0);
+  g_dataPos = g_tfcOrigin + 0.5 * (begin + end) * g_dirStep;
+}
+
+// Step to the next piece; true when the ray is done.
+bool tfcEndSample()
+{
+  ++g_tfcInterval;
+  return !(float(g_tfcInterval) - g_tfcPhase < g_tfcEnd) || g_fragColor.a > g_opacityThreshold;
+}
+
+// Whether the current position lies in a cropping region that is switched off. Regions are counted
+// as in vtkVolumeMapper: x fastest, 1 below the first plane, 2 between, 3 above.
+bool tfcCropped()
+{
+  if (in_tfcCropFlags < 0)
+  {
+    return false;
+  }
+  ivec3 region = ivec3(greaterThanEqual(g_dataPos, in_tfcCropMin)) +
+    ivec3(greaterThanEqual(g_dataPos, in_tfcCropMax));
+  return ((in_tfcCropFlags >> (region.x + 3 * region.y + 9 * region.z)) & 1) == 0;
+}

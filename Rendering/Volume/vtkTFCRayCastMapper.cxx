@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTFCRayCastMapper.h"
+
+#include "vtkTFCTableTexture.h"
+
+#include "vtkTFCClassify_glsl.h"
+#include "vtkTFCRay_glsl.h"
+#include "vtkTFCShade_glsl.h"
+#include "vtkTFCShapes_glsl.h"
+#include "vtkTFCTables_glsl.h"
+#include "vtkTFCTertiary_glsl.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkUniforms.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+// Put our functions and the calls to them at the tags of VTK's ray casting shader. Tags that VTK
+// still has to fill are kept in the replacement.
+void InstallReplacements(vtkShaderProperty* shader)
+{
+  const std::string ownTag = "//VTK::CustomUniforms::Dec";
+  for (int i = 0; i < shader->GetNumberOfShaderReplacements(); ++i)
+  {
+    std::string name;
+    std::string replacement;
+    bool replaceFirst = false;
+    bool replaceAll = false;
+    shader->GetNthShaderReplacement(i, name, replaceFirst, replacement, replaceAll);
+    if (name == ownTag && shader->GetNthShaderReplacementTypeAsString(i) == "Fragment")
+    {
+      return;
+    }
+  }
+  const auto replace = [shader](const std::string& tag, const std::string& text)
+  { shader->AddFragmentShaderReplacement(tag, true, text, false); };
+
+  // VTK would declare the uniforms here by the type they are set with, which for a sampler is an
+  // integer. Our files declare them, where a reader looks for them.
+  replace(ownTag, "");
+  replace("//VTK::ComputeOpacity::Dec",
+    std::string(vtkTFCRay_glsl) + vtkTFCTables_glsl + vtkTFCShapes_glsl + vtkTFCTertiary_glsl +
+      vtkTFCClassify_glsl);
+  replace("//VTK::ComputeColor::Dec", vtkTFCShade_glsl);
+  replace("//VTK::Clipping::Impl", "g_tfcSegmentStart = g_dataPos;\n//VTK::Clipping::Impl");
+  replace("//VTK::Shading::Init", "tfcBeginRay();\n//VTK::Shading::Init");
+  replace("//VTK::Base::Impl",
+    "tfcBeginSample();\n//VTK::Base::Impl\n    g_skip = g_skip || tfcCropped();");
+  replace("//VTK::Terminate::Impl", "if (tfcEndSample()) { break; }");
+}
+
+}
+
+vtkStandardNewMacro(vtkTFCRayCastMapper);
+
+//------------------------------------------------------------------------------
+vtkTFCRayCastMapper::vtkTFCRayCastMapper()
+  : Texture(new vtkTFCTableTexture)
+{
+  this->AutoAdjustSampleDistances = 0;
+  this->UseJittering = 0;
+}
+
+//------------------------------------------------------------------------------
+vtkTFCRayCastMapper::~vtkTFCRayCastMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::SetTables(const vtkTFCShaderTables& tables, unsigned int generation)
+{
+  if (generation != this->TablesGeneration)
+  {
+    this->Tables = tables;
+    this->TablesGeneration = generation;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::SetDistances(double sampleDistance, double unitDistance)
+{
+  // Not SetSampleDistance(): it marks the mapper modified, and VTK then builds the shader again.
+  this->SampleDistance = static_cast<float>(sampleDistance);
+  this->UnitDistance = unitDistance;
+}
+
+//------------------------------------------------------------------------------
+int vtkTFCRayCastMapper::GetNumberOfTableUploads() const
+{
+  return this->Texture->GetNumberOfUploads();
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
+{
+  vtkUniforms* uniforms = vol->GetShaderProperty()->GetFragmentCustomUniforms();
+  uniforms->SetUniformi("in_tfcTables", this->Texture->GetTextureUnit());
+  uniforms->SetUniformi("in_tfcGridSize", vtkTFCShaderTables::GridSize);
+  uniforms->SetUniformi("in_tfcCandidateBase", this->Tables.CandidateBase);
+  uniforms->SetUniform2f("in_tfcAxisScale", this->Tables.AxisScale.data());
+  uniforms->SetUniform2f("in_tfcAxisBias", this->Tables.AxisBias.data());
+  uniforms->SetUniform2f("in_tfcAxisChannel", this->Tables.AxisChannel.data());
+  uniforms->SetUniformi("in_tfcBlendOver", this->Tables.BlendOver ? 1 : 0);
+  uniforms->SetUniformf(
+    "in_tfcInverseUnitDistance", static_cast<float>(1.0 / this->UnitDistance));
+
+  uniforms->SetUniform3f("in_tfcBoxMin", this->Visible.BoxMin.data());
+  uniforms->SetUniform3f("in_tfcBoxMax", this->Visible.BoxMax.data());
+  uniforms->SetUniform3f("in_tfcCropMin", this->Visible.CropMin.data());
+  uniforms->SetUniform3f("in_tfcCropMax", this->Visible.CropMax.data());
+  uniforms->SetUniformi("in_tfcCropFlags", this->Visible.CropFlags);
+
+  // Always the full array: a uniform that changes its length is a new declaration, hence a shader.
+  float planes[MaximumNumberOfClippingPlanes][4] = {};
+  const auto count =
+    std::min<size_t>(this->Visible.ClippingPlanes.size(), MaximumNumberOfClippingPlanes);
+  for (size_t i = 0; i < count; ++i)
+  {
+    std::copy(this->Visible.ClippingPlanes[i].begin(), this->Visible.ClippingPlanes[i].end(),
+      planes[i]);
+  }
+  uniforms->SetUniformi("in_tfcClipCount", static_cast<int>(count));
+  uniforms->SetUniform4fv("in_tfcClipPlanes", MaximumNumberOfClippingPlanes, planes);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  window->MakeCurrent();
+  if (!this->Texture->Upload(window, this->Tables, this->TablesGeneration))
+  {
+    vtkErrorMacro("The transfer function needs a table of "
+      << this->Tables.Texels.size() * sizeof(this->Tables.Texels.front())
+      << " bytes, more than this graphics driver allows. Use fewer regions, or polygons with fewer "
+         "points.");
+    return;
+  }
+  this->Texture->Activate();
+  InstallReplacements(vol->GetShaderProperty());
+  this->SetUniforms(vol);
+  this->Superclass::GPURender(ren, vol);
+  this->Texture->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UnitDistance: " << this->UnitDistance << "\n";
+  os << indent << "Table texels: " << this->Tables.Texels.size() << "\n";
+}

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkTFCRayCastMapper
+ * @brief Ray casts one packed block with the tables of a combined transfer function.
+ *
+ * Internal to vtkTFCVolumeMapper, which packs the attributes and decides what is visible. This class
+ * is the only one that knows VTK's ray casting shader: it replaces the shader's tags for the
+ * classification (glsl/vtkTFCClassify.glsl and what it calls) and for the ray
+ * (glsl/vtkTFCRay.glsl: intervals cut at multiples of the sample distance from the eye), and sets
+ * their uniforms. Lights, opaque geometry, depth peeling, picking and the off-centre viewport stay
+ * VTK's.
+ *
+ * The input is a vtkImageData whose active scalars are four float components
+ * (vtkTFCAttributePacker). The volume's property must have IndependentComponents off.
+ *
+ * The replacements live in the shader property of the rendered vtkVolume and stay there: do not give
+ * that volume to another kind of GPU mapper afterwards.
+ *
+ * No setter here touches the modification time when the shader does not change, so nothing is
+ * rebuilt when a region, a plane or the sample distance is edited.
+ */
+
+#ifndef vtkTFCRayCastMapper_h
+#define vtkTFCRayCastMapper_h
+
+#include "vtkOpenGLGPUVolumeRayCastMapper.h"
+#include "vtkTFCShaderTables.h" // For the tables
+#include "vtkTFCVolumeModule.h" // For export macro
+
+#include <array>  // For planes
+#include <memory> // For the texture
+#include <vector> // For planes
+
+class vtkTFCTableTexture;
+
+class VTKTFCVOLUME_EXPORT vtkTFCRayCastMapper : public vtkOpenGLGPUVolumeRayCastMapper
+{
+public:
+  static vtkTFCRayCastMapper* New();
+  vtkTypeMacro(vtkTFCRayCastMapper, vtkOpenGLGPUVolumeRayCastMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  static constexpr int MaximumNumberOfClippingPlanes = 16;
+
+  /// What of the block is drawn, in texture coordinates of the packed image (0..1 over the texels).
+  struct Visibility
+  {
+    std::array<float, 3> BoxMin = { 0, 0, 0 };
+    std::array<float, 3> BoxMax = { 1, 1, 1 };
+    /// Visible where dot(plane, (x, y, z, 1)) >= 0; at most MaximumNumberOfClippingPlanes.
+    std::vector<std::array<float, 4>> ClippingPlanes;
+    std::array<float, 3> CropMin = { 0, 0, 0 };
+    std::array<float, 3> CropMax = { 1, 1, 1 };
+    /// Bits of vtkVolumeMapper::CroppingRegionFlags, or -1 for no cropping.
+    int CropFlags = -1;
+  };
+
+  void SetVisibility(const Visibility& visibility) { this->Visible = visibility; }
+
+  /// The classification. `generation` must grow with every change.
+  void SetTables(const vtkTFCShaderTables& tables, unsigned int generation);
+
+  /// World distance between samples and over which the model's opacities hold.
+  void SetDistances(double sampleDistance, double unitDistance);
+
+  /// Let VTK coarsen the image and the step to reach the allocated render time.
+  void SetInteractive(bool interactive) { this->AutoAdjustSampleDistances = interactive ? 1 : 0; }
+
+  /// Uploads of tables so far, for tests.
+  int GetNumberOfTableUploads() const;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkTFCRayCastMapper();
+  ~vtkTFCRayCastMapper() override;
+
+  void GPURender(vtkRenderer* ren, vtkVolume* vol) override;
+
+private:
+  vtkTFCRayCastMapper(const vtkTFCRayCastMapper&) = delete;
+  void operator=(const vtkTFCRayCastMapper&) = delete;
+
+  void SetUniforms(vtkVolume* vol);
+
+  vtkTFCShaderTables Tables;
+  unsigned int TablesGeneration = 0;
+  std::unique_ptr<vtkTFCTableTexture> Texture;
+  Visibility Visible;
+  double UnitDistance = 1;
+};
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkTFCVolumeMapper
+ * @brief Ray casts a vtkImageData with a combined transfer function.
+ *
+ * Every sample of a ray is classified after interpolating the attributes (post-classification):
+ * each region of the transfer function weighs the primary and secondary attribute by its 2D shape and
+ * the tertiary attribute by its own 1D function (Zhou, Schott, Hansen, "Transfer Function
+ * Combinations", Computers & Graphics 36(6), 2012). Samples are composited front to back; the model's
+ * opacities hold per ScalarOpacityUnitDistance of the volume's property (world units) and are
+ * corrected for the length of each step, 1 - (1 - alpha)^(step / unit).
+ *
+ * Input: a vtkImageData with the attributes as point arrays or as cell arrays, of any numeric type.
+ * At most two axes and two different tertiary attributes at a time, any number of regions. NaN
+ * values and blanked points or cells are invisible; ghost cells are used for gradients and not drawn.
+ * One-voxel-thick images are drawn as slabs of one voxel.
+ *
+ * Supported: shading of the volume's property with VTK's lights (the gradient is the primary
+ * attribute's), opaque and translucent geometry, up to 16 clipping planes, cropping (27 regions,
+ * planes in the image's model coordinates along its index axes), parallel and perspective cameras.
+ * Only composite blending; other blend modes and composite datasets are an error.
+ *
+ * Edits of the transfer function upload a small table (vtkTFCShaderTables) and never build a shader;
+ * the mapper's modification time does not include the model's. Changing an attribute to one that is
+ * not on the GPU packs and uploads the volume again.
+ *
+ * Errors (missing array, too many attributes, ...) are raised once per cause with vtkErrorMacro, and
+ * nothing is drawn until the cause is gone. GetLastError() has the text.
+ *
+ * The volume's property is set to dependent components and 1D mode: VTK then hands all channels of
+ * the packed texture to the classification. Its colour and opacity functions are not used.
+ *
+ * Memory: 16 bytes a voxel on the CPU and 16 on the GPU, besides the input.
+ *
+ * It derives from vtkMultiBlockVolumeMapper because ParaView's vtkPVLODVolume renders no other
+ * mapper without selected scalars.
+ */
+
+#ifndef vtkTFCVolumeMapper_h
+#define vtkTFCVolumeMapper_h
+
+#include "vtkMultiBlockVolumeMapper.h"
+#include "vtkSmartPointer.h"    // For the model
+#include "vtkTFCVolumeModule.h" // For export macro
+
+#include <memory> // For the implementation
+#include <string> // For errors
+
+class vtkTFCTransferFunction;
+
+class VTKTFCVOLUME_EXPORT vtkTFCVolumeMapper : public vtkMultiBlockVolumeMapper
+{
+public:
+  static vtkTFCVolumeMapper* New();
+  vtkTypeMacro(vtkTFCVolumeMapper, vtkMultiBlockVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The model. Null or without regions: nothing is drawn. Default: null.
+   */
+  void SetTransferFunction(vtkTFCTransferFunction* model);
+  vtkTFCTransferFunction* GetTransferFunction() const;
+  ///@}
+
+  ///@{
+  /**
+   * Values of the primary and secondary attribute at the ends of an axis for which the model gives no
+   * range. Where the data is distributed they must be those of all ranks. Default: empty, which
+   * stands for the finite range in the input.
+   */
+  void SetAutomaticRanges(const double primary[2], const double secondary[2]);
+  void ClearAutomaticRanges();
+  ///@}
+
+  ///@{
+  /**
+   * World distance between samples along a ray, or 0 for half the mean spacing of the input.
+   * Default: 0.
+   */
+  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  /**
+   * What was wrong at the last Render(), or an empty string.
+   */
+  const std::string& GetLastError() const { return this->LastError; }
+
+  /**
+   * Uploads of tables so far; one for each edit that was rendered.
+   */
+  int GetNumberOfTableUploads() const;
+
+  /**
+   * Number of times the attributes were packed and uploaded.
+   */
+  int GetNumberOfVolumeUploads() const;
+
+  double* GetBounds() override;
+  using vtkAbstractVolumeMapper::GetBounds;
+
+  void Render(vtkRenderer* ren, vtkVolume* vol) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkTFCVolumeMapper();
+  ~vtkTFCVolumeMapper() override;
+
+private:
+  vtkTFCVolumeMapper(const vtkTFCVolumeMapper&) = delete;
+  void operator=(const vtkTFCVolumeMapper&) = delete;
+
+  bool Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& error);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+  vtkSmartPointer<vtkTFCTransferFunction> TransferFunction;
+  double SampleDistance = 0;
+  bool HasAutomaticRanges = false;
+  double AutomaticRanges[2][2] = { { 0, 1 }, { 0, 1 } };
+  std::string LastError;
+};
+
+#endif
