@@ -106,18 +106,24 @@ bool IsUsable(const vtkTFCCompiledRegion& region)
   }
   return std::isfinite(region.MaximumEdgeDistance) && region.MaximumEdgeDistance > 0;
 }
+}
 
 //------------------------------------------------------------------------------
-int FindOrAdd(std::vector<vtkTFCAttribute>& attributes, const vtkTFCAttribute& wanted)
+std::vector<vtkTFCAttribute> vtkTFCCollectAttributes(const vtkTFCState& state)
 {
-  const auto found = std::find(attributes.begin(), attributes.end(), wanted);
-  if (found == attributes.end())
+  std::vector<vtkTFCAttribute> attributes = { state.Axes[0].Attribute, state.Axes[1].Attribute };
+  for (const vtkTFCRegionState& region : state.Regions)
   {
-    attributes.push_back(wanted);
-    return static_cast<int>(attributes.size()) - 1;
+    // Also those of opacity 0, which compile to nothing: the attributes on the graphics card then
+    // do not change while an opacity passes through 0.
+    if (region.Visible && region.Tertiary.Set &&
+      std::find(attributes.begin(), attributes.end(), region.Tertiary.Attribute) ==
+        attributes.end())
+    {
+      attributes.push_back(region.Tertiary.Attribute);
+    }
   }
-  return static_cast<int>(found - attributes.begin());
-}
+  return attributes;
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +131,7 @@ vtkTFCCompiledModel vtkTFCCompileState(const vtkTFCState& state, const Ranges& u
   vtkTFCPoleCache* cache)
 {
   vtkTFCCompiledModel model;
-  model.Attributes = { state.Axes[0].Attribute, state.Axes[1].Attribute };
+  model.Attributes = vtkTFCCollectAttributes(state);
   model.Range = used;
   model.Blend = state.Blend;
   vtkTFCPoleCache kept;
@@ -138,9 +144,9 @@ vtkTFCCompiledModel vtkTFCCompileState(const vtkTFCState& state, const Ranges& u
     vtkTFCCompiledRegion out;
     if (region.Tertiary.Set)
     {
-      // Also for regions that are dropped below: the attributes on the graphics card then do not
-      // change while an opacity passes through 0.
-      out.Tertiary = FindOrAdd(model.Attributes, region.Tertiary.Attribute);
+      out.Tertiary = static_cast<int>(
+        std::find(model.Attributes.begin(), model.Attributes.end(), region.Tertiary.Attribute) -
+        model.Attributes.begin());
       out.TertiaryOpacity = region.Tertiary.Opacity;
       out.TertiaryColor = region.Tertiary.Color;
     }

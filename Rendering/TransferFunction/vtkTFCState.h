@@ -126,6 +126,9 @@ bool vtkTFCReadState(const std::string& text, vtkTFCState& state, std::string& e
 /// Canonical JSON text: equal states give equal texts, and reading it gives an equal state.
 std::string vtkTFCWriteState(const vtkTFCState& state);
 
+/// The attributes of a state, as vtkTFCCompiledModel::Attributes defines them.
+std::vector<vtkTFCAttribute> vtkTFCCollectAttributes(const vtkTFCState& state);
+
 /// Largest edge distances of the polygons compiled last, by their points in axis units.
 using vtkTFCPoleCache = std::map<std::vector<std::array<double, 2>>, double>;
 

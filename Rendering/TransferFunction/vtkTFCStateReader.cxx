@@ -2,48 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCState.h"
 
-#include "vtk_nlohmannjson.h"
-#include VTK_NLOHMANN_JSON(json.hpp)
+#include "vtkTFCJsonFields.h"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
+#include <map>
 
 namespace
 {
-using Json = nlohmann::json;
-
-//------------------------------------------------------------------------------
-// Text of unknown origin, fit for a one-line message: short and printable.
-std::string Printable(const std::string& text, size_t limit = 60)
-{
-  std::string out;
-  for (const char c : text.substr(0, limit))
-  {
-    out += (c >= 0x20 && c < 0x7f) ? c : '?';
-  }
-  return text.size() > limit ? out + "..." : out;
-}
-
-//------------------------------------------------------------------------------
-std::string Describe(const Json* value)
-{
-  if (!value)
-  {
-    return "nothing";
-  }
-  switch (value->type())
-  {
-    case Json::value_t::object:
-      return "an object";
-    case Json::value_t::array:
-      return "a list of " + std::to_string(value->size());
-    case Json::value_t::string:
-      return "\"" + Printable(value->get_ref<const std::string&>()) + "\"";
-    default:
-      return value->dump();
-  }
-}
+using Json = vtkTFCJsonFields::Json;
 
 //------------------------------------------------------------------------------
 // Finds what a parser would only find after building the document, and nesting that would make any
@@ -88,198 +53,26 @@ bool CheckText(const std::string& text, std::string& error)
 }
 
 //------------------------------------------------------------------------------
-// Each Read...() returns false after setting the error of the first field that is wrong. `path` is
-// the path of the field itself.
-class Reader
+// The rules of the format, one method per object.
+class Reader : private vtkTFCJsonFields
 {
 public:
-  explicit Reader(std::string& error)
-    : Error(error)
-  {
-  }
+  using vtkTFCJsonFields::vtkTFCJsonFields;
 
   bool ReadRoot(const Json& root, vtkTFCState& state);
 
 private:
-  bool Fail(const std::string& path, const std::string& expected, const Json* got)
-  {
-    return this->Fail(path, "expected " + expected + ", got " + Describe(got));
-  }
-  bool Fail(const std::string& path, const std::string& message)
-  {
-    this->Error = (path.empty() ? std::string("state") : path) + ": " + message;
-    return false;
-  }
-
-  static const Json* Find(const Json& object, const char* key)
-  {
-    const auto found = object.find(key);
-    return found == object.end() ? nullptr : &*found;
-  }
-
-  bool CheckKeys(const Json& object, const std::string& path, const std::set<std::string>& known,
-    vtkTFCExtras* extras);
-  bool ReadNumber(const Json* value, const std::string& path, double& out);
-  bool ReadFraction(const Json* value, const std::string& path, double& out);
-  bool ReadInteger(const Json* value, const std::string& path, int low, int high,
-    const char* expected, int& out);
-  bool ReadText(const Json* value, const std::string& path, bool emptyAllowed, std::string& out);
-  template <size_t N>
-  bool ReadWord(const Json* value, const std::string& path, const std::array<const char*, N>& words,
-    int& out);
-  template <size_t N>
-  bool ReadRow(const Json* value, const std::string& path, std::array<double, N>& out);
-  template <size_t N>
-  bool ReadRows(const Json* value, const std::string& path, size_t limit,
-    std::vector<std::array<double, N>>& out);
   bool ReadRange(const Json* value, const std::string& path, bool& hasRange,
     std::array<double, 2>& range);
   bool ReadAttribute(const Json& object, const std::string& path, vtkTFCAttribute& attribute,
     bool& hasRange, std::array<double, 2>& range);
   bool ReadAxis(const Json* value, const std::string& path, vtkTFCAxisState& axis);
   bool ReadShape(const Json* value, const std::string& path, vtkTFCShapeState& shape);
+  bool ReadFalloff(const Json* value, const std::string& path, vtkTFCRegionState& region);
+  bool ReadColor(const Json* value, const std::string& path, std::array<double, 3>& color);
   bool ReadTertiary(const Json* value, const std::string& path, vtkTFCTertiaryState& tertiary);
   bool ReadRegion(const Json& value, const std::string& path, vtkTFCRegionState& region);
-
-  std::string& Error;
 };
-
-//------------------------------------------------------------------------------
-bool Reader::CheckKeys(const Json& object, const std::string& path,
-  const std::set<std::string>& known, vtkTFCExtras* extras)
-{
-  for (const auto& item : object.items())
-  {
-    if (known.count(item.key()))
-    {
-      continue;
-    }
-    if (extras && item.key().compare(0, 2, "x-") == 0)
-    {
-      (*extras)[item.key()] = item.value().dump();
-      continue;
-    }
-    std::string list;
-    for (const std::string& key : known)
-    {
-      list += (list.empty() ? "" : ", ") + key;
-    }
-    return this->Fail((path.empty() ? "" : path + ".") + Printable(item.key()),
-      "unknown key; expected one of " + list + (extras ? ", or a key that starts with x-" : ""));
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool Reader::ReadNumber(const Json* value, const std::string& path, double& out)
-{
-  if (!value || !value->is_number() || !vtkTFCIsNumber(value->get<double>()))
-  {
-    return this->Fail(path, "a number", value);
-  }
-  out = value->get<double>();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool Reader::ReadFraction(const Json* value, const std::string& path, double& out)
-{
-  if (!value || !value->is_number() || !(value->get<double>() >= 0 && value->get<double>() <= 1))
-  {
-    return this->Fail(path, "a number in [0, 1]", value);
-  }
-  out = value->get<double>();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool Reader::ReadInteger(const Json* value, const std::string& path, int low, int high,
-  const char* expected, int& out)
-{
-  // Through double: "1.0" is an integer too (other writers), and no conversion can overflow.
-  const double number = value && value->is_number() ? value->get<double>() : std::nan("");
-  if (!(number >= low && number <= high && number == std::floor(number)))
-  {
-    return this->Fail(path, expected, value);
-  }
-  out = static_cast<int>(number);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool Reader::ReadText(const Json* value, const std::string& path, bool emptyAllowed,
-  std::string& out)
-{
-  const char* expected = emptyAllowed ? "a text" : "a non-empty text";
-  if (!value || !value->is_string())
-  {
-    return this->Fail(path, expected, value);
-  }
-  out = value->get_ref<const std::string&>();
-  if (out.find('\0') != std::string::npos)
-  {
-    return this->Fail(path, "a text without null characters", value);
-  }
-  return (emptyAllowed || !out.empty()) || this->Fail(path, expected, value);
-}
-
-//------------------------------------------------------------------------------
-template <size_t N>
-bool Reader::ReadWord(const Json* value, const std::string& path,
-  const std::array<const char*, N>& words, int& out)
-{
-  std::string list;
-  for (size_t i = 0; i < N; ++i)
-  {
-    if (value && value->is_string() && value->get_ref<const std::string&>() == words[i])
-    {
-      out = static_cast<int>(i);
-      return true;
-    }
-    list += std::string(i == 0 ? "" : ", ") + words[i];
-  }
-  return this->Fail(path, "one of " + list, value);
-}
-
-//------------------------------------------------------------------------------
-template <size_t N>
-bool Reader::ReadRow(const Json* value, const std::string& path, std::array<double, N>& out)
-{
-  if (!value || !value->is_array() || value->size() != N)
-  {
-    return this->Fail(path, "a list of " + std::to_string(N) + " numbers", value);
-  }
-  for (size_t i = 0; i < N; ++i)
-  {
-    if (!this->ReadNumber(&(*value)[i], path + "[" + std::to_string(i) + "]", out[i]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-template <size_t N>
-bool Reader::ReadRows(const Json* value, const std::string& path, size_t limit,
-  std::vector<std::array<double, N>>& out)
-{
-  if (!value || !value->is_array() || value->size() > limit)
-  {
-    return this->Fail(path,
-      "a list of at most " + std::to_string(limit) + " lists of " + std::to_string(N) + " numbers",
-      value);
-  }
-  out.resize(value->size());
-  for (size_t i = 0; i < out.size(); ++i)
-  {
-    if (!this->ReadRow(&(*value)[i], path + "[" + std::to_string(i) + "]", out[i]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
 
 //------------------------------------------------------------------------------
 bool Reader::ReadRange(const Json* value, const std::string& path, bool& hasRange,
@@ -366,6 +159,46 @@ bool Reader::ReadShape(const Json* value, const std::string& path, vtkTFCShapeSt
 }
 
 //------------------------------------------------------------------------------
+bool Reader::ReadFalloff(const Json* value, const std::string& path, vtkTFCRegionState& region)
+{
+  if (!value->is_object())
+  {
+    return this->Fail(path, "an object with \"type\" and \"width\"", value);
+  }
+  int type = 0;
+  if (!this->CheckKeys(*value, path, { "type", "width" }, nullptr) ||
+    !this->ReadWord(Find(*value, "type"), path + ".type", vtkTFCFalloffNames, type))
+  {
+    return false;
+  }
+  region.Falloff = static_cast<vtkTFCFalloffType>(type);
+  const Json* width = Find(*value, "width");
+  if (width && !(width->is_number() && width->get<double>() > 0 && width->get<double>() <= 1))
+  {
+    return this->Fail(path + ".width", "a number in (0, 1]", width);
+  }
+  region.Width = width ? width->get<double>() : region.Width;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Reader::ReadColor(const Json* value, const std::string& path, std::array<double, 3>& color)
+{
+  if (!value->is_array() || value->size() != color.size())
+  {
+    return this->Fail(path, "[red, green, blue]", value);
+  }
+  for (size_t i = 0; i < color.size(); ++i)
+  {
+    if (!this->ReadFraction(&(*value)[i], path + "[" + std::to_string(i) + "]", color[i]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool Reader::ReadTertiary(const Json* value, const std::string& path, vtkTFCTertiaryState& tertiary)
 {
   if (!value || value->is_null())
@@ -428,44 +261,12 @@ bool Reader::ReadRegion(const Json& value, const std::string& path, vtkTFCRegion
     }
     region.Visible = visible->get<bool>();
   }
-  if (const Json* falloff = Find(value, "falloff"))
-  {
-    const std::string here = path + ".falloff";
-    if (!falloff->is_object())
-    {
-      return this->Fail(here, "an object with \"type\" and \"width\"", falloff);
-    }
-    int type = static_cast<int>(region.Falloff);
-    if (!this->CheckKeys(*falloff, here, { "type", "width" }, nullptr) ||
-      !this->ReadWord(Find(*falloff, "type"), here + ".type", vtkTFCFalloffNames, type))
-    {
-      return false;
-    }
-    region.Falloff = static_cast<vtkTFCFalloffType>(type);
-    const Json* width = Find(*falloff, "width");
-    if (width && !(width->is_number() && width->get<double>() > 0 && width->get<double>() <= 1))
-    {
-      return this->Fail(here + ".width", "a number in (0, 1]", width);
-    }
-    region.Width = width ? width->get<double>() : region.Width;
-  }
-  if (const Json* color = Find(value, "color"))
-  {
-    if (!color->is_array() || color->size() != 3)
-    {
-      return this->Fail(path + ".color", "[red, green, blue]", color);
-    }
-    for (size_t i = 0; i < 3; ++i)
-    {
-      if (!this->ReadFraction(&(*color)[i], path + ".color[" + std::to_string(i) + "]",
-            region.Color[i]))
-      {
-        return false;
-      }
-    }
-  }
+  const Json* falloff = Find(value, "falloff");
+  const Json* color = Find(value, "color");
   const Json* opacity = Find(value, "opacity");
-  return (!opacity || this->ReadFraction(opacity, path + ".opacity", region.Opacity)) &&
+  return (!falloff || this->ReadFalloff(falloff, path + ".falloff", region)) &&
+    (!color || this->ReadColor(color, path + ".color", region.Color)) &&
+    (!opacity || this->ReadFraction(opacity, path + ".opacity", region.Opacity)) &&
     this->ReadShape(Find(value, "shape"), path + ".shape", region.Shape) &&
     this->ReadTertiary(Find(value, "tertiary"), path + ".tertiary", region.Tertiary);
 }
@@ -568,7 +369,7 @@ bool vtkTFCReadState(const std::string& text, vtkTFCState& state, std::string& e
     const std::string what = problem.what();
     const size_t tag = what.find("] ");
     error = "state: expected valid JSON, got a " +
-      Printable(tag == std::string::npos ? what : what.substr(tag + 2), 200);
+      vtkTFCJsonFields::Printable(tag == std::string::npos ? what : what.substr(tag + 2), 200);
     return false;
   }
   // What is written must be readable too; canonical text can be longer than what was given.

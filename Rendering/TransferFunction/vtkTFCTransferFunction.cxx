@@ -383,6 +383,12 @@ void vtkTFCTransferFunction::MoveRegion(int from, int to)
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkTFCAttribute> vtkTFCTransferFunction::GetAttributes() const
+{
+  return vtkTFCCollectAttributes(this->CollectState());
+}
+
+//------------------------------------------------------------------------------
 vtkTFCCompiledModel vtkTFCTransferFunction::Compile(const double used[4]) const
 {
   return vtkTFCCompileState(this->CollectState(),

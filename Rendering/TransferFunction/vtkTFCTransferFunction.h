@@ -31,6 +31,7 @@
 
 #include <memory> // For std::unique_ptr
 #include <string> // For the state
+#include <vector> // For attributes
 
 class vtkTFCRegion;
 struct vtkTFCState;
@@ -125,6 +126,11 @@ public:
   void RemoveAllRegions();
   void MoveRegion(int from, int to);
   ///@}
+
+  /**
+   * The attributes that an evaluation needs, as listed in vtkTFCCompiledModel::Attributes.
+   */
+  VTK_WRAPEXCLUDE std::vector<vtkTFCAttribute> GetAttributes() const;
 
   ///@{
   /**
