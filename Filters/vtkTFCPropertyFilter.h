@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkTFCPropertyFilter
+ * @brief Base of the filters that add properties of a volume, computed from one of its arrays.
+ *
+ * Input: vtkImageData with point or cell data, chosen with SetInputArrayToProcess() (default: the
+ * active scalars). Cell data is a volume of its own, one sample per cell. Any numeric type; the
+ * array is read once and converted to float, in which everything is computed. Output: the input
+ * with arrays `<input array><suffix>`, float, of the same association; an existing array of that
+ * name is replaced.
+ *
+ * Invalid samples are NaN, infinities, magnitudes beyond 1.7e38 and blanked points or cells
+ * (vtkGhostType HIDDENPOINT, HIDDENCELL). They take no part in any neighbourhood.
+ *
+ * Pieces on several processes give the values that one process would (up to rounding, 1e-6
+ * relative): ranges are global, and the samples that a neighbourhood needs come from the
+ * processes that own them, whether or not upstream delivers ghost layers. When downstream asks for
+ * a part of the volume only, the whole of it is still requested: a range and a neighbourhood know
+ * no piece. All processes of the controller must update the filter together. Composite datasets are
+ * therefore not accepted as distributed input.
+ *
+ * Memory: 4 bytes per sample and output; 4 more unless the input is a valid single-component float
+ * array on a single process, plus 4 per sample of the halo on several.
+ *
+ * Wrong input is reported with vtkErrorMacro, on every process, and the output is then the input
+ * without the new array.
+ */
+
+#ifndef vtkTFCPropertyFilter_h
+#define vtkTFCPropertyFilter_h
+
+#include "vtkPassInputTypeAlgorithm.h"
+#include "vtkTFCFiltersModule.h" // For export macro
+
+#include <cstddef> // For std::ptrdiff_t
+#include <string>  // For std::string
+#include <vector>  // For std::vector
+
+class vtkMultiProcessController;
+
+class VTKTFCFILTERS_EXPORT vtkTFCPropertyFilter : public vtkPassInputTypeAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkTFCPropertyFilter, vtkPassInputTypeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Component of the input array that is used; -1 is the Euclidean norm of all components. Default
+   * 0.
+   */
+  vtkSetMacro(Component, int);
+  vtkGetMacro(Component, int);
+  ///@}
+
+  ///@{
+  /**
+   * The processes that share the volume. Default: the global controller. Null: this process alone.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+protected:
+  vtkTFCPropertyFilter();
+  ~vtkTFCPropertyFilter() override;
+
+  /**
+   * The volume as the subclass sees it: a lattice of samples, x fastest, NaN where invalid, which
+   * holds the samples of this process and a halo where the whole volume has one.
+   */
+  struct Field
+  {
+    const float* Values = nullptr;
+    std::ptrdiff_t Size[3];  ///< samples of the lattice, halo included
+    std::ptrdiff_t Begin[3]; ///< first sample of this process in the lattice
+    std::ptrdiff_t End[3];   ///< one past its last
+    bool HasInvalid = false; ///< whether Values may contain NaN
+    double Range[2];         ///< of the valid samples of all processes
+    double Spacing[3];       ///< world units between samples; > 0
+  };
+
+  /**
+   * What is wrong with the parameters and what to do; empty when they are fine.
+   */
+  virtual std::string CheckParameters() const { return {}; }
+
+  /**
+   * Samples that a result depends on in each direction: the width of the halo, at least 0.
+   */
+  virtual int GetHaloWidth() const = 0;
+
+  /**
+   * Suffixes of the arrays that ComputeProperties() fills.
+   */
+  virtual std::vector<std::string> GetSuffixes() const = 0;
+
+  /**
+   * Fill one array per suffix for the samples [Begin, End). Return false when aborted. Not called
+   * on a process without samples. Must not communicate.
+   */
+  virtual bool ComputeProperties(const Field& field, const std::vector<float*>& outputs) = 0;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Component = 0;
+  vtkMultiProcessController* Controller = nullptr;
+
+private:
+  vtkTFCPropertyFilter(const vtkTFCPropertyFilter&) = delete;
+  void operator=(const vtkTFCPropertyFilter&) = delete;
+};
+
+#endif
