@@ -5,6 +5,7 @@
 #include "vtkTFCTableTexture.h"
 
 #include "vtkTFCClassify_glsl.h"
+#include "vtkTFCGradient_glsl.h"
 #include "vtkTFCRay_glsl.h"
 #include "vtkTFCShade_glsl.h"
 #include "vtkTFCShapes_glsl.h"
@@ -51,6 +52,7 @@ void InstallReplacements(vtkShaderProperty* shader)
   replace("//VTK::ComputeOpacity::Dec",
     std::string(vtkTFCRay_glsl) + vtkTFCTables_glsl + vtkTFCShapes_glsl + vtkTFCTertiary_glsl +
       vtkTFCClassify_glsl);
+  replace("//VTK::ComputeGradient::Dec", vtkTFCGradient_glsl);
   replace("//VTK::ComputeColor::Dec", vtkTFCShade_glsl);
   replace("//VTK::Clipping::Impl", "g_tfcSegmentStart = g_dataPos;\n//VTK::Clipping::Impl");
   replace("//VTK::Shading::Init", "tfcBeginRay();\n//VTK::Shading::Init");
