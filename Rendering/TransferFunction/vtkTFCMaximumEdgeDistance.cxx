@@ -179,6 +179,7 @@ double Outline::Improve(Point& p) const
 std::vector<Point> InsidePoints(const std::vector<Point>& points, const Outline& outline)
 {
   std::vector<double> heights;
+  heights.reserve(points.size());
   for (const Point& point : points)
   {
     heights.push_back(point[1]);
