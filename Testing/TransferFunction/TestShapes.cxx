@@ -64,6 +64,17 @@ TEST(Falloff, IsZeroOutsideAndForNaN)
   }
 }
 
+TEST(Falloff, SmallestWidthsAreNumbers)
+{
+  for (int type = 0; type < 4; ++type)
+  {
+    const auto falloff = static_cast<vtkTFCFalloffType>(type);
+    EXPECT_EQ(vtkTFCClassifier::FalloffWeight(falloff, 5e-324, 0), 1);
+    const double weight = vtkTFCClassifier::FalloffWeight(falloff, 5e-324, 0.5);
+    EXPECT_EQ(weight, falloff == vtkTFCFalloffType::Gaussian ? 0 : 1);
+  }
+}
+
 TEST(Falloff, DefaultIsSmoothQuarter)
 {
   const auto model =
