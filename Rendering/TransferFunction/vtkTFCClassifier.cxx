@@ -19,6 +19,21 @@ double LinearWeight(double width, double d)
 }
 
 //------------------------------------------------------------------------------
+double SmoothWeight(double width, double d)
+{
+  const double linear = LinearWeight(width, d);
+  return linear * linear * (3 - 2 * linear);
+}
+
+//------------------------------------------------------------------------------
+double GaussianWeight(double width, double d)
+{
+  // The square of a very small width is 0; then only the centre is left.
+  const double square = 2 * width * width;
+  return square > 0 ? std::exp(-d * d / square) : (d > 0 ? 0.0 : 1.0);
+}
+
+//------------------------------------------------------------------------------
 // Normalised distance for ellipse and rectangle.
 template <vtkTFCShapeType Shape>
 double CenteredDistance(const vtkTFCCompiledRegion& region, double x, double y)
@@ -141,12 +156,9 @@ double vtkTFCClassifier::FalloffWeight(vtkTFCFalloffType falloff, double width, 
     case vtkTFCFalloffType::Linear:
       return LinearWeight(width, d);
     case vtkTFCFalloffType::Smooth:
-    {
-      const double linear = LinearWeight(width, d);
-      return linear * linear * (3 - 2 * linear);
-    }
+      return SmoothWeight(width, d);
     case vtkTFCFalloffType::Gaussian:
-      return std::exp(-d * d / (2 * width * width));
+      return GaussianWeight(width, d);
   }
   return 0;
 }
@@ -193,6 +205,37 @@ std::array<double, 3> vtkTFCClassifier::TertiaryColor(const vtkTFCCompiledRegion
 }
 
 //------------------------------------------------------------------------------
+// Replace normalised distances by opacities. One tight loop per fall-off: the choice is made once
+// per chunk, and the simple ones become vector instructions.
+void vtkTFCClassifier::ApplyFalloff(const vtkTFCCompiledRegion& region, Chunk& chunk)
+{
+  const auto apply = [&region, &chunk](const auto& weight)
+  {
+    for (std::size_t k = 0; k < chunk.Candidates; ++k)
+    {
+      const double d = chunk.Weight[k];
+      chunk.Weight[k] = d <= 1 ? region.Opacity * weight(d) : 0.0;
+    }
+  };
+  const double width = region.Width;
+  switch (region.Falloff)
+  {
+    case vtkTFCFalloffType::Constant:
+      apply([](double) { return 1.0; });
+      break;
+    case vtkTFCFalloffType::Linear:
+      apply([width](double d) { return LinearWeight(width, d); });
+      break;
+    case vtkTFCFalloffType::Smooth:
+      apply([width](double d) { return SmoothWeight(width, d); });
+      break;
+    case vtkTFCFalloffType::Gaussian:
+      apply([width](double d) { return GaussianWeight(width, d); });
+      break;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCClassifier::ClassifyRegion(std::size_t index, const double* const* attributes,
   std::size_t first, Chunk& chunk) const
 {
@@ -232,11 +275,12 @@ void vtkTFCClassifier::ClassifyRegion(std::size_t index, const double* const* at
       break;
   }
 
+  ApplyFalloff(region, chunk);
   const double* tertiary = region.Tertiary >= 0 ? attributes[region.Tertiary] + first : nullptr;
   for (std::size_t k = 0; k < chunk.Candidates; ++k)
   {
     const std::size_t i = chunk.Index[k];
-    double alpha = region.Opacity * FalloffWeight(region.Falloff, region.Width, chunk.Weight[k]);
+    double alpha = chunk.Weight[k];
     if (!(alpha > 0))
     {
       continue;

@@ -80,6 +80,7 @@ private:
 
   static std::vector<Edge> MakeEdges(const vtkTFCCompiledRegion& region);
   static double EdgeDistance(const std::vector<Edge>& edges, double maximum, double x, double y);
+  static void ApplyFalloff(const vtkTFCCompiledRegion& region, Chunk& chunk);
   void ClassifyRegion(std::size_t index, const double* const* attributes, std::size_t first,
     Chunk& chunk) const;
 

@@ -179,6 +179,7 @@ double Outline::Improve(Point& p) const
 std::vector<Point> InsidePoints(const std::vector<Point>& points, const Outline& outline)
 {
   std::vector<double> heights;
+  heights.reserve(points.size());
   for (const Point& point : points)
   {
     heights.push_back(point[1]);
@@ -200,6 +201,7 @@ std::vector<Point> InsidePoints(const std::vector<Point>& points, const Outline&
   }
   std::vector<Point> result;
   std::vector<double> crossings;
+  std::vector<Point> intervals; // width, middle
   for (const double y : lines)
   {
     crossings.clear();
@@ -211,9 +213,17 @@ std::vector<Point> InsidePoints(const std::vector<Point>& points, const Outline&
       }
     }
     std::sort(crossings.begin(), crossings.end());
+    // The widest intervals only: an outline that crosses itself a lot has thousands.
+    intervals.clear();
     for (size_t i = 0; i + 1 < crossings.size(); i += 2)
     {
-      result.push_back({ { 0.5 * (crossings[i] + crossings[i + 1]), y } });
+      intervals.push_back(
+        { { crossings[i + 1] - crossings[i], 0.5 * (crossings[i] + crossings[i + 1]) } });
+    }
+    std::sort(intervals.rbegin(), intervals.rend());
+    for (size_t i = 0; i < std::min<size_t>(8, intervals.size()); ++i)
+    {
+      result.push_back({ { intervals[i][1], y } });
     }
   }
   return result;
@@ -279,8 +289,10 @@ double vtkTFCMaximumEdgeDistance(const std::vector<std::array<double, 2>>& point
     consider(p, outline.SignedDistance(p));
   }
 
-  // Enough for any outline that a hand draws; a hostile one ends with the best point so far.
-  long budget = std::max<long>(2000, 30000000 / static_cast<long>(outline.Edges.size()));
+  // Enough for any outline that a hand draws; slivers and hostile outlines end with the best point
+  // so far, which the local search has made a maximum.
+  const long edges = static_cast<long>(outline.Edges.size());
+  long budget = std::min(20000L, std::max(2000L, 30000000L / edges));
   std::priority_queue<Cell> cells;
   const auto push = [&](const Point& center, double half)
   {
@@ -305,7 +317,7 @@ double vtkTFCMaximumEdgeDistance(const std::vector<std::array<double, 2>>& point
     const Cell cell = cells.top();
     cells.pop();
     // For slivers the tolerance shrinks with them, as far as the budget goes.
-    if (cell.Bound <= best + tolerance * std::min(1.0, 4 * best))
+    if (cell.Bound <= best + tolerance * std::min(1.0, 40 * best))
     {
       break;
     }
