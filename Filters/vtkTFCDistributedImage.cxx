@@ -45,16 +45,11 @@ Extent Intersect(const Extent& a, const Extent& b)
 //------------------------------------------------------------------------------
 void Include(Extent& box, const Extent& other)
 {
-  if (IsEmpty(other))
-  {
-    return;
-  }
   if (IsEmpty(box))
   {
     box = other;
-    return;
   }
-  for (int i = 0; i < 6; i += 2)
+  for (int i = 0; !IsEmpty(other) && i < 6; i += 2)
   {
     box[i] = std::min(box[i], other[i]);
     box[i + 1] = std::max(box[i + 1], other[i + 1]);
@@ -65,15 +60,18 @@ void Include(Extent& box, const Extent& other)
 Extent GetPointExtent(vtkDataSet* data)
 {
   Extent extent = EmptyExtent;
-  if (auto* image = vtkImageData::SafeDownCast(data))
+  auto* image = vtkImageData::SafeDownCast(data);
+  auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data);
+  auto* structured = vtkStructuredGrid::SafeDownCast(data);
+  if (image)
   {
     image->GetExtent(extent.data());
   }
-  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  if (rectilinear)
   {
     rectilinear->GetExtent(extent.data());
   }
-  else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
+  if (structured)
   {
     structured->GetExtent(extent.data());
   }

@@ -8,6 +8,7 @@ import sys
 
 import numpy as np
 from paraview.simple import *
+from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkParallelCore import vtkDummyController, vtkMultiProcessController
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
@@ -122,6 +123,67 @@ def compare(extent, radius, spoil=None, ghosts=False):
         scripttest.check(own < expected.GetNumberOfPoints(), what + ": this is a piece")
 
 
+def compare_cells(radius):
+    """The grid of cells, whose pieces share nothing."""
+    results = []
+    for alone in (True, False):
+        if alone:
+            source = vtkRTAnalyticSource()
+            source.SetWholeExtent(*WHOLE)
+            source.Update()
+        else:
+            source = Wavelet(WholeExtent=list(WHOLE))
+            source.UpdatePipeline()
+            source = source.GetClientSideObject()
+        cells = vtkPointDataToCellData()
+        cells.SetInputData(source.GetOutputDataObject(0))
+        gradient = vtkTFCGradientMagnitude()
+        occlusion = scripttest.make(vtkTFCOcclusion, Radius=radius)
+        gradient.SetInputConnection(cells.GetOutputPort())
+        occlusion.SetInputConnection(gradient.GetOutputPort())
+        for filter in (gradient, occlusion):
+            filter.SetInputArrayToProcess(0, 0, 0, 1, "RTData")
+            if alone:
+                filter.SetController(vtkDummyController())
+        occlusion.Update()
+        results.append(occlusion.GetOutput())
+    expected, piece = results
+    e, w = piece.GetExtent(), expected.GetExtent()
+    box = tuple(slice(e[a] - w[a], e[a + 1] - w[a]) for a in (4, 2, 0))
+
+    def values(data, name):
+        array = vtk_to_numpy(data.GetCellData().GetArray(name))
+        return array.reshape([n - 1 for n in data.GetDimensions()[::-1]])
+
+    for name in NAMES:
+        scripttest.check_close(values(piece, name), values(expected, name)[box], 1e-5,
+                               "cells radius %d: %s on process %d" % (radius, name, rank))
+
+
+def compare_proxies(radius):
+    """Proxies connected to each other: requests, and parts of the result, go through ParaView."""
+    expected, _ = single(WHOLE, radius, lambda data: data.SetSpacing(1.0, 1.0, 1.0))
+    source = Wavelet(WholeExtent=list(WHOLE))
+    gradient = VolumeGradientMagnitude(Input=source, InputArray=["POINTS", "RTData"])
+    occlusion = VolumeOcclusion(Input=gradient, InputArray=["POINTS", "RTData"], Radius=radius)
+    subset = ExtractSubset(Input=occlusion, VOI=[-3, 14, 2, 18, 5, 18])
+    for proxy in (occlusion, subset):
+        proxy.UpdatePipeline()
+        piece = proxy.GetClientSideObject().GetOutputDataObject(0)
+        if not piece.GetNumberOfPoints():
+            continue
+        e, w = piece.GetExtent(), expected.GetExtent()
+        box = tuple(slice(e[a] - w[a], e[a + 1] - w[a] + 1) for a in (4, 2, 0))
+        for name in NAMES:
+            scripttest.check_close(scripttest.volume(piece, name),
+                                   scripttest.volume(expected, name)[box], 1e-5,
+                                   "%s radius %d: %s on process %d"
+                                   % (proxy.GetXMLName(), radius, name, rank))
+
+
+for radius in (2, 40):
+    compare_cells(radius)
+    compare_proxies(radius)
 for radius in (1, 3, 40):
     compare(WHOLE, radius)
     compare(WHOLE, radius, spoil=hole)
