@@ -278,7 +278,7 @@ std::string vtkTFCCombinationScore::FindAttributes(vtkPointData* points,
   for (const std::string& name : wanted)
   {
     Attribute attribute;
-    const std::string problem = vtkTFCAttributeStatistics::Find(points, name, attribute);
+    std::string problem = vtkTFCAttributeStatistics::Find(points, name, attribute);
     if (!problem.empty())
     {
       return problem;

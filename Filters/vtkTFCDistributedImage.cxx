@@ -105,7 +105,7 @@ void ForRows(const Extent& part, const Extent& a, const Extent& b, Body&& body)
   {
     for (int y = part[2]; y <= part[3]; ++y)
     {
-      body(offset(a, y, z), offset(b, y, z), static_cast<vtkIdType>(part[1] - part[0] + 1));
+      body(offset(a, y, z), offset(b, y, z), vtkIdType{ 1 } + part[1] - part[0]);
     }
   }
 }
@@ -210,9 +210,12 @@ vtkTFCDistributedImage::vtkTFCDistributedImage(vtkDataSet* data, int association
 //------------------------------------------------------------------------------
 vtkIdType vtkTFCDistributedImage::GetNumberOfSamples(const Extent& e)
 {
-  return IsEmpty(e)
-    ? 0
-    : static_cast<vtkIdType>(e[1] - e[0] + 1) * (e[3] - e[2] + 1) * (e[5] - e[4] + 1);
+  vtkIdType count = IsEmpty(e) ? 0 : 1;
+  for (int i = 0; i < 6; i += 2)
+  {
+    count *= vtkIdType{ 1 } + e[i + 1] - e[i];
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------
