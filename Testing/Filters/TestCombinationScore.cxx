@@ -224,6 +224,7 @@ TEST(CombinationScore, ChosenArraysAndComponents)
   filter->AddArray("wind:magnitude");
   filter->AddArray("free");
   filter->AddArray("odd:0");
+  filter->AddArray("vtkGhostType");
   filter->SetPrimary("wind:0");
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 6);

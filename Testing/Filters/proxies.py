@@ -58,6 +58,16 @@ scripttest.check(matrix.GetNumberOfRows() == 3 and matrix.GetNumberOfColumns() =
 everything = CombinationScore(Input=occlusion)
 scripttest.check(servermanager.Fetch(everything).GetNumberOfRows() == 3, "all arrays by default")
 
+# The default of Arrays is what can be scored as it is.
+vectors = Calculator(Input=occlusion, Function="iHat*RTData+jHat*RTData_gradient",
+                     ResultArrayName="V")
+components = CombinationScore(Input=vectors)
+scripttest.check("V" not in list(components.Arrays), "no array with several components by default")
+scripttest.check(servermanager.Fetch(components).GetNumberOfRows() == 3, "single components")
+components.Arrays = ["RTData", "V:1", "V:magnitude"]
+rows = scripttest.table(servermanager.Fetch(components), ("attribute",))
+scripttest.check(sorted(rows) == [("RTData",), ("V:1",), ("V:magnitude",)], "components by name")
+
 for proxy in (gradient, occlusion, score):
     for name in proxy.ListProperties():
         documentation = proxy.GetProperty(name).GetDocumentation()
