@@ -7,6 +7,7 @@
 #include "vtkTFCDistributedImage.h"
 
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -198,7 +199,7 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
     return 1;
   }
 
-  const int primary = IsSet(this->Primary) ? FindLabel(attributes, this->Primary) : 0;
+  const int primary = IsSet(this->Primary) ? std::max(0, FindLabel(attributes, this->Primary)) : 0;
   const int secondary = IsSet(this->Secondary) ? FindLabel(attributes, this->Secondary) : -1;
   const tfc::Scores scores = tfc::CombinationScores(statistics.Correlations, statistics.Entropies,
     this->Balance, primary, secondary);
@@ -277,8 +278,13 @@ std::string vtkTFCCombinationScore::FindAttributes(vtkPointData* points,
   }
   for (const std::string& name : wanted)
   {
+    // Lists of all arrays, such as ParaView's, contain the flags: they are no data.
+    if (name == vtkDataSetAttributes::GhostArrayName())
+    {
+      continue;
+    }
     Attribute attribute;
-    const std::string problem = vtkTFCAttributeStatistics::Find(points, name, attribute);
+    std::string problem = vtkTFCAttributeStatistics::Find(points, name, attribute);
     if (!problem.empty())
     {
       return problem;

@@ -45,16 +45,11 @@ Extent Intersect(const Extent& a, const Extent& b)
 //------------------------------------------------------------------------------
 void Include(Extent& box, const Extent& other)
 {
-  if (IsEmpty(other))
-  {
-    return;
-  }
   if (IsEmpty(box))
   {
     box = other;
-    return;
   }
-  for (int i = 0; i < 6; i += 2)
+  for (int i = 0; !IsEmpty(other) && i < 6; i += 2)
   {
     box[i] = std::min(box[i], other[i]);
     box[i + 1] = std::max(box[i + 1], other[i + 1]);
@@ -65,15 +60,18 @@ void Include(Extent& box, const Extent& other)
 Extent GetPointExtent(vtkDataSet* data)
 {
   Extent extent = EmptyExtent;
-  if (auto* image = vtkImageData::SafeDownCast(data))
+  auto* image = vtkImageData::SafeDownCast(data);
+  auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data);
+  auto* structured = vtkStructuredGrid::SafeDownCast(data);
+  if (image)
   {
     image->GetExtent(extent.data());
   }
-  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  if (rectilinear)
   {
     rectilinear->GetExtent(extent.data());
   }
-  else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
+  if (structured)
   {
     structured->GetExtent(extent.data());
   }
@@ -107,7 +105,7 @@ void ForRows(const Extent& part, const Extent& a, const Extent& b, Body&& body)
   {
     for (int y = part[2]; y <= part[3]; ++y)
     {
-      body(offset(a, y, z), offset(b, y, z), static_cast<vtkIdType>(part[1] - part[0] + 1));
+      body(offset(a, y, z), offset(b, y, z), vtkIdType{ 1 } + part[1] - part[0]);
     }
   }
 }
@@ -212,9 +210,12 @@ vtkTFCDistributedImage::vtkTFCDistributedImage(vtkDataSet* data, int association
 //------------------------------------------------------------------------------
 vtkIdType vtkTFCDistributedImage::GetNumberOfSamples(const Extent& e)
 {
-  return IsEmpty(e)
-    ? 0
-    : static_cast<vtkIdType>(e[1] - e[0] + 1) * (e[3] - e[2] + 1) * (e[5] - e[4] + 1);
+  vtkIdType count = IsEmpty(e) ? 0 : 1;
+  for (int i = 0; i < 6; i += 2)
+  {
+    count *= vtkIdType{ 1 } + e[i + 1] - e[i];
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------

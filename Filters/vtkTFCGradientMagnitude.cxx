@@ -7,6 +7,7 @@
 
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkTFCGradientMagnitude);
@@ -18,9 +19,9 @@ bool vtkTFCGradientMagnitude::ComputeProperties(const Field& field,
   // Squares of large values overflow float, those of small ones vanish: compute in units of a power
   // of two near the largest difference per world unit, which costs nothing and rounds nothing.
   double steepest = 0.;
-  for (int a = 0; a < 3; ++a)
+  for (const double spacing : field.Spacing)
   {
-    steepest = std::max(steepest, (field.Range[1] - field.Range[0]) / field.Spacing[a]);
+    steepest = std::max(steepest, (field.Range[1] - field.Range[0]) / spacing);
   }
   const int exponent = steepest > 0. ? std::ilogb(steepest) : 0;
   float weights[3];

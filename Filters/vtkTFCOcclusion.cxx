@@ -3,12 +3,12 @@
 #include "vtkTFCOcclusion.h"
 
 #include "Kernels/TFCOcclusion.h"
+#include "vtkTFCLargeBuffer.h"
 #include "vtkTFCThreads.h"
 
 #include "vtkObjectFactory.h"
 
 #include <cmath>
-#include <memory>
 #include <sstream>
 
 vtkStandardNewMacro(vtkTFCOcclusion);
@@ -33,12 +33,11 @@ std::string vtkTFCOcclusion::CheckParameters() const
 bool vtkTFCOcclusion::ComputeProperties(const Field& field, const std::vector<float*>& outputs)
 {
   const tfc::BoxSum box(field.Size, field.Begin, field.End, this->Radius);
-  const size_t size = static_cast<size_t>(box.GetTemporarySize());
-  // Not initialised: the threads touch it first.
-  std::unique_ptr<float[]> sums(new float[size]), validity;
+  const auto sums = vtkTFCLargeBuffer::Allocate(box.GetTemporarySize());
+  vtkTFCLargeBuffer::Pointer validity;
   if (field.HasInvalid)
   {
-    validity.reset(new float[size]);
+    validity = vtkTFCLargeBuffer::Allocate(box.GetTemporarySize());
   }
   bool done = vtkTFCThreads::ForWithProgress(0, field.Size[2], 1, this, 0.15, 0.6,
     [&](vtkIdType begin, vtkIdType end)

@@ -3,6 +3,7 @@
 #include "vtkTFCPropertyFilter.h"
 
 #include "vtkTFCDistributedImage.h"
+#include "vtkTFCLargeBuffer.h"
 #include "vtkTFCSamples.h"
 #include "vtkTFCThreads.h"
 
@@ -159,7 +160,7 @@ public:
         return done;
       }
     }
-    this->Copy.reset(new float[static_cast<size_t>(count)]);
+    this->Copy = vtkTFCLargeBuffer::Allocate(count);
     this->Values = this->Copy.get();
     this->Found = Survey();
     return SurveyBlocks(count, owner, from, to, this->Found,
@@ -195,7 +196,7 @@ private:
   int Component;
   unsigned char Hidden;
   const unsigned char* Ghosts = nullptr;
-  std::unique_ptr<float[]> Copy;
+  vtkTFCLargeBuffer::Pointer Copy;
 };
 
 //------------------------------------------------------------------------------
@@ -394,11 +395,11 @@ int vtkTFCPropertyFilter::RequestData(vtkInformation*, vtkInformationVector** in
   const int halo = image.GetNumberOfRanks() > 1 ? this->GetHaloWidth() : 0;
   const auto localExtent = image.GetLocalExtent();
   const auto extent = image.GetNumberOfRanks() > 1 ? image.GetGrownExtent(halo) : localExtent;
-  std::unique_ptr<float[]> grown;
+  vtkTFCLargeBuffer::Pointer grown;
   if (image.GetNumberOfRanks() > 1)
   {
     const vtkIdType count = vtkTFCDistributedImage::GetNumberOfSamples(extent);
-    grown.reset(new float[static_cast<size_t>(count)]);
+    grown = vtkTFCLargeBuffer::Allocate(count);
     image.Exchange(field.Values, halo, grown.get());
     field.Values = grown.get();
     field.HasInvalid = Look(grown.get(), count).HasNaN;
@@ -423,7 +424,9 @@ int vtkTFCPropertyFilter::RequestData(vtkInformation*, vtkInformationVector** in
   {
     auto result = vtkSmartPointer<vtkFloatArray>::New();
     result->SetName(((array->GetName() ? array->GetName() : "") + suffix).c_str());
-    result->SetNumberOfTuples(array->GetNumberOfTuples());
+    const vtkIdType count = array->GetNumberOfTuples();
+    result->SetArray(vtkTFCLargeBuffer::Allocate(count).release(), count, 0,
+      vtkFloatArray::VTK_DATA_ARRAY_FREE);
     pointers.push_back(result->GetPointer(0));
     results.push_back(result);
   }

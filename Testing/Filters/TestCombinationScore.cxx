@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterVolumes.h"
+
+#include "Filters/vtkTFCCombinationScore.h"
+
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkShortArray.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+using namespace testing_volumes;
+
+namespace
+{
+constexpr int N = 20;
+
+vtkSmartPointer<vtkImageData> MakeAttributes()
+{
+  auto image = MakeImage(N, N, N);
+  auto* points = image->GetPointData();
+  points->AddArray(MakeArray("P", N, N, N, [](int x, int, int) { return 1000. + x; }));
+  points->AddArray(MakeArray<vtkFloatArray>("TC", N, N, N,
+    [](int x, int y, int z) { return -2. * x + 4. * Noise(x, y, z); }));
+  points->AddArray(MakeArray("free", N, N, N, Noise));
+  points->AddArray(
+    MakeArray<vtkUnsignedCharArray>("flag", N, N, N, [](int, int y, int) { return y >= N / 4; }));
+  points->AddArray(MakeArray<vtkShortArray>("constant", N, N, N, [](int, int, int) { return 7; }));
+  return image;
+}
+
+/**
+ * Row of the table by attribute name, -1 when there is none.
+ */
+int FindRow(vtkTable* table, const std::string& attribute)
+{
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    if (table->GetValueByName(row, "attribute").ToString() == attribute)
+    {
+      return static_cast<int>(row);
+    }
+  }
+  return -1;
+}
+
+double Get(vtkTable* table, const std::string& attribute, const char* column)
+{
+  const int row = FindRow(table, attribute);
+  EXPECT_GE(row, 0) << attribute;
+  return row < 0 ? NaN : table->GetValueByName(row, column).ToDouble();
+}
+
+/**
+ * Two-pass correlation of the samples where both are valid.
+ */
+double Correlate(const std::vector<double>& a, const std::vector<double>& b)
+{
+  long double n = 0, meanA = 0, meanB = 0, aa = 0, bb = 0, ab = 0;
+  for (int pass = 0; pass < 2; ++pass)
+  {
+    for (size_t i = 0; i < a.size(); ++i)
+    {
+      if (std::isnan(a[i]) || std::isnan(b[i]))
+      {
+        continue;
+      }
+      if (pass == 0)
+      {
+        n += 1;
+        meanA += a[i];
+        meanB += b[i];
+        continue;
+      }
+      aa += (a[i] - meanA / n) * (a[i] - meanA / n);
+      bb += (b[i] - meanB / n) * (b[i] - meanB / n);
+      ab += (a[i] - meanA / n) * (b[i] - meanB / n);
+    }
+  }
+  return static_cast<double>(ab / std::sqrt(aa * bb));
+}
+
+std::vector<double> GetValues(vtkDataSet* data, const char* name)
+{
+  std::vector<double> values;
+  auto* array = data->GetPointData()->GetArray(name);
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetTuple1(i));
+  }
+  return values;
+}
+}
+
+TEST(CombinationScore, TableAndMatrix)
+{
+  const auto image = MakeAttributes();
+  vtkNew<vtkTFCCombinationScore> filter;
+  filter->SetInputData(image);
+  filter->SetPrimary("P");
+  filter->SetSecondary("TC");
+  filter->Update();
+  vtkTable* table = filter->GetOutput();
+  ASSERT_EQ(table->GetNumberOfRows(), 5);
+  ASSERT_EQ(table->GetNumberOfColumns(), 5);
+
+  // P takes N values equally often, flag two: closed forms.
+  EXPECT_NEAR(Get(table, "P", "entropy"), std::log2(N), 1e-12);
+  EXPECT_NEAR(Get(table, "flag", "entropy"), 0.25 * 2. + 0.75 * std::log2(4. / 3.), 1e-12);
+  EXPECT_EQ(Get(table, "constant", "entropy"), 0.);
+  EXPECT_NEAR(Get(table, "flag", "correlation"), 0., 1e-12);
+  const double r = Correlate(GetValues(image, "P"), GetValues(image, "free"));
+  EXPECT_NEAR(Get(table, "free", "correlation"), r, 1e-12);
+  EXPECT_LT(Get(table, "TC", "correlation"), -0.5);
+
+  double largest = 0.;
+  for (const char* name : { "P", "TC", "free", "flag", "constant" })
+  {
+    largest = std::max(largest, Get(table, name, "entropy"));
+  }
+  EXPECT_NEAR(Get(table, "free", "score"),
+    -0.4 * std::abs(r) + 0.6 * Get(table, "free", "entropy") / largest, 1e-12);
+
+  // Best first; the primary, the secondary and the constant one follow without a rank.
+  EXPECT_EQ(FindRow(table, "free"), 0);
+  EXPECT_EQ(FindRow(table, "flag"), 1);
+  EXPECT_EQ(FindRow(table, "P"), 2);
+  EXPECT_EQ(FindRow(table, "TC"), 3);
+  EXPECT_EQ(FindRow(table, "constant"), 4);
+  EXPECT_EQ(Get(table, "free", "rank"), 1.);
+  EXPECT_EQ(Get(table, "flag", "rank"), 2.);
+  for (const char* name : { "P", "TC", "constant" })
+  {
+    EXPECT_EQ(Get(table, name, "rank"), 0.);
+    EXPECT_TRUE(std::isnan(Get(table, name, "score")));
+  }
+
+  vtkTable* matrix = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+  ASSERT_EQ(matrix->GetNumberOfRows(), 5);
+  ASSERT_EQ(matrix->GetNumberOfColumns(), 6);
+  EXPECT_EQ(Get(matrix, "P", "P"), 1.);
+  EXPECT_EQ(Get(matrix, "P", "free"), Get(matrix, "free", "P"));
+  EXPECT_NEAR(Get(matrix, "P", "free"), r, 1e-12);
+  EXPECT_TRUE(std::isnan(Get(matrix, "constant", "constant")));
+  EXPECT_TRUE(std::isnan(Get(matrix, "constant", "P")));
+}
+
+TEST(CombinationScore, FillValuesInvalidAndBlankedPoints)
+{
+  auto image = MakeImage(N, N, N);
+  const auto land = [](int x, int y, int) { return x < 5 && y < 7; };
+  image->GetPointData()->AddArray(MakeArray<vtkFloatArray>("P", N, N, N,
+    [&](int x, int y, int z) { return land(x, y, z) ? 1e35 : x + Noise(x, y, z); }));
+  image->GetPointData()->AddArray(MakeArray("Q", N, N, N,
+    [&](int x, int y, int z) {
+      return z == 3 ? NaN : z == 4 && y == 2 ? -INFINITY : x * y + Noise(z, y, x);
+    }));
+  Blank(image, [](vtkIdType i) { return i % 97 == 5; });
+  auto p = GetValues(image, "P");
+  auto q = GetValues(image, "Q");
+  for (size_t i = 0; i < p.size(); ++i)
+  {
+    p[i] = p[i] > 1e34 || i % 97 == 5 ? NaN : p[i];
+    q[i] = std::isinf(q[i]) || i % 97 == 5 ? NaN : q[i];
+  }
+  vtkNew<vtkTFCCombinationScore> filter;
+  filter->SetInputData(image);
+  filter->AddFillValue(-9999.);
+  filter->AddFillValue(1e35);
+  filter->Update();
+  EXPECT_NEAR(Get(filter->GetOutput(), "Q", "correlation"), Correlate(p, q), 1e-12);
+
+  // Binned by the documented rule.
+  double low = INFINITY, high = -INFINITY;
+  double total = 0., counts[16] = {}, entropy = 0.;
+  for (const double v : q)
+  {
+    low = v < low ? v : low;
+    high = v > high ? v : high;
+  }
+  for (const double v : q)
+  {
+    if (!std::isnan(v))
+    {
+      ++counts[std::min(15, static_cast<int>((v - low) * (16 / (high - low))))];
+      ++total;
+    }
+  }
+  for (const double count : counts)
+  {
+    entropy -= count > 0. ? count / total * std::log2(count / total) : 0.;
+  }
+  filter->SetNumberOfBins(16);
+  filter->Update();
+  EXPECT_NEAR(Get(filter->GetOutput(), "Q", "entropy"), entropy, 1e-12);
+}
+
+TEST(CombinationScore, ChosenArraysAndComponents)
+{
+  auto image = MakeAttributes();
+  vtkNew<vtkFloatArray> wind;
+  wind->SetName("wind");
+  wind->SetNumberOfComponents(3);
+  for (int i = 0; i < N * N * N; ++i)
+  {
+    wind->InsertNextTuple3(i % N, Noise(i, 1, 2), 2. * (i % N));
+  }
+  image->GetPointData()->AddArray(wind);
+  image->GetPointData()->AddArray(MakeArray("odd:0", N, N, N, Noise));
+
+  vtkNew<vtkTFCCombinationScore> filter;
+  filter->SetInputData(image);
+  filter->AddArray("free");
+  filter->AddArray("wind:1");
+  filter->AddArray("wind:2");
+  filter->AddArray("wind:magnitude");
+  filter->AddArray("free");
+  filter->AddArray("odd:0");
+  filter->AddArray("vtkGhostType");
+  filter->SetPrimary("wind:0");
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 6);
+  EXPECT_NEAR(Get(filter->GetOutput(), "wind:2", "correlation"), 1., 1e-12);
+  EXPECT_GT(Get(filter->GetOutput(), "wind:magnitude", "correlation"), 0.9);
+  filter->ClearArrays();
+  filter->SetPrimary("None");
+  filter->Update();
+  // All single-component arrays; the first of them is the primary one.
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 6);
+  EXPECT_EQ(Get(filter->GetOutput(), "P", "correlation"), 1.);
+  EXPECT_EQ(Get(filter->GetOutput(), "P", "rank"), 0.);
+}
+
+TEST(CombinationScore, LargeOffsetsAndRangesKeepTheirPrecision)
+{
+  auto image = MakeImage(N, N, N);
+  image->GetPointData()->AddArray(MakeArray("offset", N, N, N,
+    [](int x, int y, int z) { return 1e9 + 16. * Noise(x, y, z) + x; }));
+  image->GetPointData()->AddArray(
+    MakeArray("large", N, N, N, [](int x, int y, int z) { return 1e300 * Noise(z, x, y) * x; }));
+  image->GetPointData()->AddArray(
+    MakeArray("small", N, N, N, [](int x, int y, int) { return 1e-300 * x * y; }));
+  vtkNew<vtkTFCCombinationScore> filter;
+  filter->SetInputData(image);
+  filter->Update();
+  auto large = GetValues(image, "large");
+  auto small = GetValues(image, "small");
+  for (size_t i = 0; i < large.size(); ++i)
+  {
+    large[i] /= 1e300;
+    small[i] /= 1e-300;
+  }
+  const auto offset = GetValues(image, "offset");
+  EXPECT_NEAR(Get(filter->GetOutput(), "large", "correlation"), Correlate(offset, large), 1e-12);
+  EXPECT_NEAR(Get(filter->GetOutput(), "small", "correlation"), Correlate(offset, small), 1e-12);
+}
+
+TEST(CombinationScore, OtherDataSets)
+{
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(N, 1, 1);
+  vtkNew<vtkDoubleArray> coordinates;
+  for (int i = 0; i < N; ++i)
+  {
+    coordinates->InsertNextValue(i * i);
+  }
+  grid->SetXCoordinates(coordinates);
+  grid->GetPointData()->AddArray(MakeArray("a", N, 1, 1, [](int x, int, int) { return x; }));
+  grid->GetPointData()->AddArray(MakeArray("b", N, 1, 1, [](int x, int, int) { return -x; }));
+  vtkNew<vtkTFCCombinationScore> filter;
+  filter->SetInputData(grid);
+  filter->Update();
+  EXPECT_NEAR(Get(filter->GetOutput(), "b", "correlation"), -1., 1e-12);
+}
+
+TEST(CombinationScore, DoesNotDependOnThreads)
+{
+  auto image = MakeImage(61, 60, 59);
+  image->GetPointData()->AddArray(
+    MakeArray<vtkFloatArray>("a", 61, 60, 59, [](int x, int y, int z) { return Noise(x, y, z); }));
+  image->GetPointData()->AddArray(MakeArray<vtkFloatArray>("b", 61, 60, 59,
+    [](int x, int y, int z) { return x % 9 ? Noise(z, x, y) + x : NaN; }));
+  double first[2] = {};
+  for (const int number : { 1, 2, 3, 7 })
+  {
+    const Threads threads(number);
+    vtkNew<vtkTFCCombinationScore> filter;
+    filter->SetInputData(image);
+    filter->Update();
+    const double now[2] = { Get(filter->GetOutput(), "b", "correlation"),
+      Get(filter->GetOutput(), "b", "entropy") };
+    if (number == 1)
+    {
+      std::copy_n(now, 2, first);
+    }
+    EXPECT_EQ(now[0], first[0]);
+    EXPECT_EQ(now[1], first[1]);
+  }
+}
