@@ -55,7 +55,7 @@ void InstallReplacements(vtkShaderProperty* shader)
   replace("//VTK::ComputeGradient::Dec", vtkTFCGradient_glsl);
   replace("//VTK::ComputeColor::Dec", vtkTFCShade_glsl);
   replace("//VTK::Clipping::Impl", "g_tfcSegmentStart = g_dataPos;\n//VTK::Clipping::Impl");
-  replace("//VTK::Shading::Init", "tfcBeginRay();\n//VTK::Shading::Init");
+  replace("//VTK::Shading::Init", "tfcBeginRay();\n  tfcBeginLight();\n//VTK::Shading::Init");
   replace("//VTK::Base::Impl",
     "tfcBeginSample();\n//VTK::Base::Impl\n    g_skip = g_skip || tfcCropped();");
   replace("//VTK::Terminate::Impl", "if (tfcEndSample()) { break; }");

@@ -1,10 +1,27 @@
 // Gradient of the primary attribute for VTK's lighting.
 //
 // Central differences over one voxel, one-sided at the border of the texture and where a neighbour has
-// no data. VTK lights in one of two ways and expects the gradient accordingly: in data coordinates for
-// a single headlight, else as a vector in texture coordinates that in_textureToEye takes to eye
-// coordinates. A gradient is a covector, so the first step to either is the gradient in data
-// coordinates; VTK's own function leaves that step out, which tilts normals by the block's proportions.
+// no data. A gradient is a covector: with texture coordinates t = A p + const of data coordinates p,
+// the gradient by p is transpose(A) times that by t.
+//
+// VTK lights in one of two ways. With a single headlight it wants the gradient in data coordinates.
+// Otherwise it multiplies what it gets by in_textureToEye and takes that for the normal in eye
+// coordinates, which is not the way of a covector and tilts normals by the proportions of the block;
+// so it gets what in_textureToEye maps to the right normal.
+
+mat3 g_tfcGradientToLight;
+
+// Called once per ray.
+void tfcBeginLight()
+{
+  mat3 dataToTexture = mat3(ip_inverseTextureDataAdjusted);
+#ifdef TOTAL_NUMBER_LIGHTS
+  g_tfcGradientToLight = inverse(mat3(in_textureToEye[0])) * mat3(in_modelViewMatrix) *
+    transpose(dataToTexture * mat3(in_inverseVolumeMatrix[0]));
+#else
+  g_tfcGradientToLight = transpose(dataToTexture);
+#endif
+}
 
 vec4 computeGradient(in vec3 position, in int component, in sampler3D volume, in int index)
 {
@@ -34,11 +51,5 @@ vec4 computeGradient(in vec3 position, in int component, in sampler3D volume, in
     float width = ahead[axis] - behind[axis];
     slope[axis] = width > 0.0 ? (valueAhead - valueBehind) / width : 0.0;
   }
-  // t = A p + const for data coordinates p: the gradient by p is transpose(A) times that by t.
-  vec3 gradient = slope * mat3(ip_inverseTextureDataAdjusted);
-#ifdef TOTAL_NUMBER_LIGHTS
-  vec3 world = gradient * mat3(in_inverseVolumeMatrix[0]);
-  gradient = mat3(in_inverseTextureDatasetMatrix[0]) * mat3(in_inverseVolumeMatrix[0]) * world;
-#endif
-  return vec4(gradient, -1.0);
+  return vec4(g_tfcGradientToLight * slope, -1.0);
 }
