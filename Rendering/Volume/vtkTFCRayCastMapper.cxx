@@ -55,6 +55,8 @@ void InstallReplacements(vtkShaderProperty* shader)
   replace("//VTK::ComputeGradient::Dec", vtkTFCGradient_glsl);
   replace("//VTK::ComputeColor::Dec", vtkTFCShade_glsl);
   replace("//VTK::Clipping::Impl", "g_tfcSegmentStart = g_dataPos;\n//VTK::Clipping::Impl");
+  // Depth peeling would move the start to a sample, and drop segments shorter than a step.
+  replace("//VTK::DepthPeeling::Ray::PathCheck", "");
   replace("//VTK::Shading::Init", "tfcBeginRay();\n  tfcBeginLight();\n//VTK::Shading::Init");
   replace("//VTK::Base::Impl",
     "tfcBeginSample();\n//VTK::Base::Impl\n    g_skip = g_skip || tfcCropped();");

@@ -57,9 +57,14 @@ void tfcBeginRay()
   float inverseSquare = 1.0 / dot(g_dirStep, g_dirStep);
   g_tfcOrigin = g_rayOrigin - g_rayJitter;
 
-  bool wholeRay = all(equal(g_tfcSegmentStart, g_rayOrigin));
-  g_tfcBegin = wholeRay ? 0.0
-    : max(0.0, dot(g_tfcSegmentStart - g_tfcOrigin, g_dirStep) * inverseSquare);
+  // VTK puts the start one step behind the entry, and depth peeling once more; from the entry on is
+  // what both mean. A segment that starts inside (behind translucent geometry) is one step off, too.
+  vec3 offset = g_tfcSegmentStart - g_rayOrigin;
+  float tolerance2 = 1e-6 / inverseSquare;
+  vec3 twice = offset - g_rayJitter;
+  bool atEntry = dot(offset, offset) < tolerance2 || dot(twice, twice) < tolerance2;
+  g_tfcBegin = atEntry ? 0.0
+    : max(0.0, dot(g_tfcSegmentStart - g_rayJitter - g_tfcOrigin, g_dirStep) * inverseSquare);
   g_tfcEnd = dot(g_terminatePos - g_tfcOrigin, g_dirStep) * inverseSquare;
 
   // The entry lies on the proxy geometry up to rounding: give rays along a face that much.
@@ -84,11 +89,9 @@ void tfcBeginRay()
   g_tfcPhase = fract(dot(entry - in_cameraPos, direction / scale) / g_tfcWorldStep + g_jitterValue);
   g_tfcInterval = int(floor(g_tfcBegin + g_tfcPhase));
 
-  // Also false for NaN: nothing to do.
-  if (!(g_tfcEnd > g_tfcBegin))
-  {
-    g_exit = true;
-  }
+  // With depth peeling there are two segments a pixel. Also nothing to do for NaN.
+  g_fragColor = vec4(0.0);
+  g_exit = !(g_tfcEnd > g_tfcBegin);
 }
 
 // Move to the middle of the current piece.
