@@ -24,25 +24,25 @@ def make_transfer_function():
     eye = tf.add_polygon(
         [(325, -22.6), (400, -11.8), (480, -3.9), (540, 0.4), (620, 6.2), (690, 11.0), (770, 15.7),
          (770, 19.0), (690, 15.0), (620, 10.5), (540, 5.0), (480, 1.0), (400, -7.0), (325, -17.0)],
-        name="warm core", color="crimson", opacity=0.35, falloff="smooth", width=0.5)
+        name="warm core", color="crimson", opacity=0.5, falloff="smooth", width=0.5)
     eye.tertiary("QVAPOR", [(0.6, 0), (1.0, 1), (9.5, 1), (13.0, 0)], range=(0, 23))
 
     # Middle levels on the curve of the surrounding air: there only what is moist belongs to the storm.
     upper = tf.add_polygon(
         [(380, -21), (460, -12), (560, -3), (560, 1.0), (460, -5.6), (380, -13.6)],
-        name="upper spiral bands", color="gold", opacity=0.25, falloff="smooth", width=0.6)
-    upper.tertiary("QVAPOR", [(3.0, 0), (4.6, 1), (10, 1)], range=(0, 23))
+        name="upper spiral bands", color="gold", opacity=0.5, falloff="smooth", width=0.6)
+    upper.tertiary("QVAPOR", [(3.9, 0), (5.0, 1), (10, 1)], range=(0, 23))
 
     lower = tf.add_polygon(
         [(560, -3), (640, 3), (720, 8.5), (720, 11.6), (640, 6.8), (560, 1.0)],
-        name="lower spiral bands", color="limegreen", opacity=0.25, falloff="smooth", width=0.6)
-    lower.tertiary("QVAPOR", [(7.6, 0), (9.4, 1), (14, 1)], range=(0, 23))
+        name="lower spiral bands", color="limegreen", opacity=0.5, falloff="smooth", width=0.6)
+    lower.tertiary("QVAPOR", [(8.2, 0), (9.2, 1), (14, 1)], range=(0, 23))
 
     # The moist layer below, far from the core.
     outer = tf.add_polygon(
         [(750, 11), (900, 18.5), (900, 21.6), (750, 14.0)],
-        name="outer bands", color="royalblue", opacity=0.12, falloff="smooth", width=0.6)
-    outer.tertiary("QVAPOR", [(11.5, 0), (13.5, 1), (17.5, 1), (18.5, 0)], range=(0, 23))
+        name="outer bands", color="dodgerblue", opacity=0.15, falloff="smooth", width=0.6)
+    outer.tertiary("QVAPOR", [(12.5, 0), (14.5, 1), (17.5, 1), (18.5, 0)], range=(0, 23))
     return tf
 
 
@@ -57,9 +57,10 @@ def main(data, picture, size=(1000, 750)):
     view.OrientationAxesVisibility = 0
     # Antialiasing of edges works on each rank's picture before they are composited.
     view.UseFXAA = 0
-    tfc.show(source, make_transfer_function(), view, unit_distance=6.0, shade=True)
-    view.CameraFocalPoint = [245, 238, 45]
-    view.CameraPosition = [245, -330, 480]
+    display = tfc.show(source, make_transfer_function(), view, unit_distance=6.0, shade=True)
+    display.SampleDistance = 0.8  # a quarter of a voxel: the moist layer is thin at this angle
+    view.CameraFocalPoint = [245, 228, 30]
+    view.CameraPosition = [245, -245, 475]
     view.CameraViewUp = [0, 0.6, 0.8]
     view.CameraViewAngle = 30
     simple.SaveScreenshot(picture, view, ImageResolution=list(size))
