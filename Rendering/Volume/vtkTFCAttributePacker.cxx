@@ -215,11 +215,16 @@ void vtkTFCAttributePacker::CopyGeometry(vtkImageData* source)
 }
 
 //------------------------------------------------------------------------------
+bool vtkTFCAttributePacker::IsCurrent(vtkImageData* source) const
+{
+  return this->Image && this->Fingerprint == MakeFingerprint(source, this->Channels);
+}
+
+//------------------------------------------------------------------------------
 bool vtkTFCAttributePacker::Update(
   vtkImageData* source, const std::vector<vtkTFCAttribute>& attributes, std::string& error)
 {
-  if (this->Image && this->Fingerprint == MakeFingerprint(source, this->Channels) &&
-    this->MapToChannels(attributes))
+  if (this->IsCurrent(source) && this->MapToChannels(attributes))
   {
     return true;
   }

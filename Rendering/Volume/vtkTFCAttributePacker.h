@@ -46,6 +46,9 @@ public:
   bool Update(vtkImageData* source, const std::vector<vtkTFCAttribute>& attributes,
     std::string& error);
 
+  /// Whether the image holds what its channels were packed from, unmodified, in `source`.
+  bool IsCurrent(vtkImageData* source) const;
+
   /// The packed image: same geometry as the source but for one-voxel-thick axes. Null before Update().
   vtkImageData* GetImage() const { return this->Image; }
   /// Whether the attributes are cell data.

@@ -108,8 +108,9 @@ public:
 };
 
 //------------------------------------------------------------------------------
-// Bring the compiled model, the packed attributes and the tables up to date. Returns false when there
-// is nothing to draw or something is wrong.
+// Bring the compiled model, the packed attributes and the tables up to date. Returns whether there is
+// something to draw. A model that does not fit the data is an error and leaves what was drawn before
+// in force, as long as the data is the same.
 bool vtkTFCVolumeMapper::Internals::PackAndCompile(
   vtkTFCVolumeMapper* mapper, vtkImageData* image, std::string& error)
 {
@@ -125,9 +126,13 @@ bool vtkTFCVolumeMapper::Internals::PackAndCompile(
   {
     return false;
   }
-  if (!this->Packer.Update(image, this->Model.Attributes, error))
+  if (!model->HasAxes())
   {
-    return false;
+    error = "the transfer function has regions but no axes; name a primary and a secondary array.";
+  }
+  if (!error.empty() || !this->Packer.Update(image, this->Model.Attributes, error))
+  {
+    return this->TablesGeneration > 0 && this->Packer.IsCurrent(image);
   }
 
   // Ranges that the model leaves open need the data, hence only now.

@@ -26,7 +26,8 @@
  * not on the GPU packs and uploads the volume again.
  *
  * Errors (missing array, too many attributes, ...) are raised once per cause with vtkErrorMacro, and
- * nothing is drawn until the cause is gone. GetLastError() has the text.
+ * GetLastError() has the text. A transfer function that does not fit the data leaves the previous one
+ * in force; when there is none for this data, nothing is drawn.
  *
  * The volume's property is set to dependent components and 1D mode: VTK then hands all channels of
  * the packed texture to the classification. Its colour and opacity functions are not used.

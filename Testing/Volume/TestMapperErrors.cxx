@@ -186,6 +186,27 @@ TEST_F(Errors, NothingToDrawIsNoError)
   }
 }
 
+TEST_F(Errors, RegionsWithoutAxes)
+{
+  this->Set(R"({"format": "transfer-function-combination", "version": 1, "regions": [)" +
+    MakeFog(0.5) + "]}");
+  this->ExpectError({ "axes" });
+  this->ExpectRecovery();
+}
+
+TEST_F(Errors, AModelThatDoesNotFitTheDataKeepsThePicture)
+{
+  this->Set(MakeState(MakeFog(0.5)));
+  const Picture before = this->Scene.Render();
+  this->Set(MakeState(FogOf("QVAPOR")));
+  EXPECT_EQ(Compare(before, this->Scene.Render()).Largest, 0);
+  EXPECT_NE(this->Scene.Mapper->GetLastError(), "");
+  // But not over other data.
+  this->Image->GetPointData()->GetArray("x")->Modified();
+  this->ExpectError({ "QVAPOR" });
+  this->ExpectRecovery();
+}
+
 TEST_F(Errors, ABadStateKeepsThePicture)
 {
   this->Set(MakeState(MakeFog(0.5)));
