@@ -60,8 +60,8 @@ void vtkTFCVolumeRepresentation::SetCroppingRegionFlags(int flags)
 }
 
 //------------------------------------------------------------------------------
-int vtkTFCVolumeRepresentation::ProcessViewRequest(
-  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+int vtkTFCVolumeRepresentation::ProcessViewRequest(vtkInformationRequestKey* request,
+  vtkInformation* inInfo, vtkInformation* outInfo)
 {
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
   {
@@ -75,8 +75,8 @@ int vtkTFCVolumeRepresentation::ProcessViewRequest(
 }
 
 //------------------------------------------------------------------------------
-int vtkTFCVolumeRepresentation::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkTFCVolumeRepresentation::RequestUpdateExtent(vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   if (!this->Superclass::RequestUpdateExtent(request, inputVector, outputVector))
   {
@@ -94,8 +94,8 @@ int vtkTFCVolumeRepresentation::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-int vtkTFCVolumeRepresentation::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkTFCVolumeRepresentation::RequestData(vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   if (!this->Superclass::RequestData(request, inputVector, outputVector))
   {
@@ -104,8 +104,8 @@ int vtkTFCVolumeRepresentation::RequestData(
   this->DataTime.Modified();
   if (vtkImageData* input = vtkImageData::GetData(inputVector[0], 0))
   {
-    // The base class cropped the ghost cells off its copy, and with it set the bounds that order the
-    // ranks: those stay. The mapper gets them all and draws its own part.
+    // The base class cropped the ghost cells off its copy, and with it set the bounds that order
+    // the ranks: those stay. The mapper gets them all and draws its own part.
     this->Cache = vtk::TakeSmartPointer(input->NewInstance());
     this->Cache->ShallowCopy(input);
     this->VolumeMapper->SetInputData(vtkImageData::SafeDownCast(this->Cache));
@@ -114,8 +114,8 @@ int vtkTFCVolumeRepresentation::RequestData(
 }
 
 //------------------------------------------------------------------------------
-// Axes without a range in the model run over the finite values on all ranks. View requests reach all
-// processes in the same order with the same model, so the reduction is collective.
+// Axes without a range in the model run over the finite values on all ranks. View requests reach
+// all processes in the same order with the same model, so the reduction is collective.
 void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
 {
   if (this->Model->HasAxisRange(vtkTFCTransferFunction::Primary) &&

@@ -6,8 +6,8 @@
  *
  * Thin: the picture is vtkTFCVolumeMapper's. This class gives the mapper its model and properties,
  * asks the pipeline for one layer of ghost cells (so that shading is the same on both sides of a
- * border between ranks), keeps that layer while telling the view the bounds without it, and finds the
- * range of an axis that the model leaves automatic over all ranks.
+ * border between ranks), keeps that layer while telling the view the bounds without it, and finds
+ * the range of an axis that the model leaves automatic over all ranks.
  *
  * An edit of TransferFunction does not execute the pipeline.
  */
@@ -30,8 +30,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * State of the model as JSON. A state that cannot be read is reported and the previous one stays in
-   * force. Default: empty, which draws nothing.
+   * State of the model as JSON. A state that cannot be read is reported and the previous one stays
+   * in force. Default: empty, which draws nothing.
    */
   void SetTransferFunction(const char* state);
 
@@ -53,8 +53,7 @@ protected:
   vtkTFCVolumeRepresentation();
   ~vtkTFCVolumeRepresentation() override;
 
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void UpdateMapperParameters() override;
 

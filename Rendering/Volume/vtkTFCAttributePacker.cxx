@@ -110,7 +110,8 @@ void FindOwnedExtent(vtkImageData* source, int owned[6])
 
 //------------------------------------------------------------------------------
 // One array of ghost flags into NaNs of the packed values.
-void ApplyBlanking(vtkUnsignedCharArray* ghosts, unsigned char hidden, vtkIdType count, float* packed)
+void ApplyBlanking(vtkUnsignedCharArray* ghosts, unsigned char hidden, vtkIdType count,
+  float* packed)
 {
   if (!ghosts || ghosts->GetNumberOfTuples() < count)
   {
@@ -188,8 +189,8 @@ void vtkTFCAttributePacker::CopyGeometry(vtkImageData* source)
 
   // A layer needs a thickness to be seen: the spacing along its axis, or where that is zero (some
   // 2D files) the largest of the others.
-  const double largest = std::max({ std::abs(spacing[0]), std::abs(spacing[1]),
-    std::abs(spacing[2]) });
+  const double largest =
+    std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
   vtkMatrix3x3* direction = source->GetDirectionMatrix();
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -221,8 +222,8 @@ bool vtkTFCAttributePacker::IsCurrent(vtkImageData* source) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkTFCAttributePacker::Update(
-  vtkImageData* source, const std::vector<vtkTFCAttribute>& attributes, std::string& error)
+bool vtkTFCAttributePacker::Update(vtkImageData* source,
+  const std::vector<vtkTFCAttribute>& attributes, std::string& error)
 {
   if (this->IsCurrent(source) && this->MapToChannels(attributes))
   {
@@ -240,8 +241,8 @@ bool vtkTFCAttributePacker::Update(
   if (distinct.size() > NumberOfChannels)
   {
     std::ostringstream message;
-    message << "the transfer function uses " << distinct.size()
-            << " attributes, and at most " << NumberOfChannels
+    message << "the transfer function uses " << distinct.size() << " attributes, and at most "
+            << NumberOfChannels
             << " can be rendered at once (two axes and two tertiary attributes). Let some regions "
                "share a tertiary attribute.";
     error = message.str();
@@ -314,14 +315,12 @@ bool vtkTFCAttributePacker::Update(
 
   if (this->CellData)
   {
-    ApplyBlanking(
-      source->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL, count, packed);
+    ApplyBlanking(source->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL, count, packed);
     this->Image->GetCellData()->SetScalars(array);
   }
   else
   {
-    ApplyBlanking(
-      source->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT, count, packed);
+    ApplyBlanking(source->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT, count, packed);
     if (this->Image->GetNumberOfPoints() != count)
     {
       RepeatLayers(sourceDimensions, packedDimensions, packed);

@@ -5,15 +5,17 @@
  * @brief The attributes of a transfer function as one four-channel float image for the GPU.
  *
  * One fetch of the packed texture gives the primary, the secondary and two tertiary attributes.
- * Values are stored as (value - Offset) / Scale with the finite range of the array in this block, in
- * double precision before rounding to float, so that any scalar type and any offset keeps 24 bits of
- * its own range. Offset and Scale are undone exactly in the tables: a block's range is not visible.
+ * Values are stored as (value - Offset) / Scale with the finite range of the array in this block,
+ * in double precision before rounding to float, so that any scalar type and any offset keeps 24
+ * bits of its own range. Offset and Scale are undone exactly in the tables: a block's range is not
+ * visible.
  *
  * - Point or cell data, whichever holds the attributes; all of them in the same.
  * - NaN stays NaN and makes every interpolated value it touches NaN, which is in no region. Blanked
  *   points (HIDDENPOINT) and, for cell data, blanked cells (HIDDENCELL) become NaN. For point data
  *   with blanked cells the packed image carries a ghost array that VTK's shader honours.
- * - Ghost cells (DUPLICATECELL) are kept, for gradients at the border; OwnedExtent says what to draw.
+ * - Ghost cells (DUPLICATECELL) are kept, for gradients at the border; OwnedExtent says what to
+ * draw.
  * - An axis with a single layer of voxels becomes a slab one voxel thick, centred on the layer.
  *
  * Memory: 16 bytes a voxel on the CPU (freed with the packer's image) and 16 on the GPU.
@@ -22,8 +24,8 @@
 #ifndef vtkTFCAttributePacker_h
 #define vtkTFCAttributePacker_h
 
-#include "vtkTFCShaderTables.h"  // For vtkTFCStoredAttribute
-#include "vtkTFCVolumeModule.h"  // For export macro
+#include "vtkTFCShaderTables.h" // For vtkTFCStoredAttribute
+#include "vtkTFCVolumeModule.h" // For export macro
 
 #include "vtkSmartPointer.h" // For the image
 
@@ -39,9 +41,9 @@ public:
 
   /**
    * Make the image hold `attributes` of `source`. Nothing is done when it already does: the same
-   * arrays, unmodified, on the same grid, and every attribute in some channel. Returns false and fills `error` when an
-   * attribute is missing (the message lists the arrays there are), differs in association or size, or
-   * when there are more than NumberOfChannels distinct ones.
+   * arrays, unmodified, on the same grid, and every attribute in some channel. Returns false and
+   * fills `error` when an attribute is missing (the message lists the arrays there are), differs in
+   * association or size, or when there are more than NumberOfChannels distinct ones.
    */
   bool Update(vtkImageData* source, const std::vector<vtkTFCAttribute>& attributes,
     std::string& error);
@@ -49,7 +51,8 @@ public:
   /// Whether the image holds what its channels were packed from, unmodified, in `source`.
   bool IsCurrent(vtkImageData* source) const;
 
-  /// The packed image: same geometry as the source but for one-voxel-thick axes. Null before Update().
+  /// The packed image: same geometry as the source but for one-voxel-thick axes. Null before
+  /// Update().
   vtkImageData* GetImage() const { return this->Image; }
   /// Whether the attributes are cell data.
   bool IsCellData() const { return this->CellData; }

@@ -120,8 +120,7 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
   uniforms->SetUniform2f("in_tfcAxisBias", this->Tables.AxisBias.data());
   uniforms->SetUniform2f("in_tfcAxisChannel", this->Tables.AxisChannel.data());
   uniforms->SetUniformi("in_tfcBlendOver", this->Tables.BlendOver ? 1 : 0);
-  uniforms->SetUniformf(
-    "in_tfcInverseUnitDistance", static_cast<float>(1.0 / this->UnitDistance));
+  uniforms->SetUniformf("in_tfcInverseUnitDistance", static_cast<float>(1.0 / this->UnitDistance));
 
   uniforms->SetUniform3f("in_tfcBoxMin", this->Visible.BoxMin.data());
   uniforms->SetUniform3f("in_tfcBoxMax", this->Visible.BoxMax.data());

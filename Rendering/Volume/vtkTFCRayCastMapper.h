@@ -4,8 +4,8 @@
  * @class vtkTFCRayCastMapper
  * @brief Ray casts one packed block with the tables of a combined transfer function.
  *
- * Internal to vtkTFCVolumeMapper, which packs the attributes and decides what is visible. This class
- * is the only one that knows VTK's ray casting shader: it replaces the shader's tags for the
+ * Internal to vtkTFCVolumeMapper, which packs the attributes and decides what is visible. This
+ * class is the only one that knows VTK's ray casting shader: it replaces the shader's tags for the
  * classification (glsl/vtkTFCClassify.glsl and what it calls) and for the ray
  * (glsl/vtkTFCRay.glsl: intervals cut at multiples of the sample distance from the eye), and sets
  * their uniforms. Lights, opaque geometry, depth peeling, picking and the off-centre viewport stay
@@ -14,8 +14,8 @@
  * The input is a vtkImageData whose active scalars are four float components
  * (vtkTFCAttributePacker). The volume's property must have IndependentComponents off.
  *
- * The replacements live in the shader property of the rendered vtkVolume and stay there: do not give
- * that volume to another kind of GPU mapper afterwards.
+ * The replacements live in the shader property of the rendered vtkVolume and stay there: do not
+ * give that volume to another kind of GPU mapper afterwards.
  *
  * No setter here touches the modification time when the shader does not change, so nothing is
  * rebuilt when a region, a plane or the sample distance is edited.

@@ -140,8 +140,8 @@ void WriteRegion(const vtkTFCCompiledRegion& region,
 }
 
 //------------------------------------------------------------------------------
-vtkTFCShaderTables vtkTFCShaderTables::Build(
-  const vtkTFCCompiledModel& model, const std::vector<vtkTFCStoredAttribute>& stored)
+vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
+  const std::vector<vtkTFCStoredAttribute>& stored)
 {
   vtkTFCShaderTables tables;
   tables.BlendOver = model.Blend == vtkTFCBlendType::Over;
@@ -162,8 +162,7 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(
     numberOfCandidates += cell.size();
   }
   tables.CandidateBase = GridSize * GridSize;
-  const int regionBase =
-    tables.CandidateBase + static_cast<int>((numberOfCandidates + 3) / 4);
+  const int regionBase = tables.CandidateBase + static_cast<int>((numberOfCandidates + 3) / 4);
   const int tailBase = regionBase + RegionTexels * static_cast<int>(model.Regions.size());
   tables.Texels.resize(tailBase, MakeTexel(0));
 
@@ -182,8 +181,7 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(
   Appender appender(tailBase);
   for (size_t r = 0; r < model.Regions.size(); ++r)
   {
-    WriteRegion(
-      model.Regions[r], stored, &tables.Texels[regionBase + RegionTexels * r], appender);
+    WriteRegion(model.Regions[r], stored, &tables.Texels[regionBase + RegionTexels * r], appender);
   }
   tables.Texels.insert(tables.Texels.end(), appender.Texels.begin(), appender.Texels.end());
 

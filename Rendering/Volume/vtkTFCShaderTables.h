@@ -6,13 +6,13 @@
  *
  * Everything that an edit changes is in this list, so an edit costs one small upload: no shader and
  * no volume texture. Shapes, fall-offs and 1D functions are stored as their defining numbers and
- * evaluated in closed form in the shader; nothing is rasterised, so a region a thousandth of an axis
- * wide is as exact as a wide one.
+ * evaluated in closed form in the shader; nothing is rasterised, so a region a thousandth of an
+ * axis wide is as exact as a wide one.
  *
  * The list holds RGBA texels, in this order (see glsl/vtkTFC*.glsl):
- * - index grid: GridSize x GridSize cells over the axes' unit square, (first candidate, count, 0, 0);
- *   a cell lists every region whose bounding box touches it, so cost per sample follows the number of
- *   regions that overlap there, not their total number
+ * - index grid: GridSize x GridSize cells over the axes' unit square, (first candidate, count, 0,
+ * 0); a cell lists every region whose bounding box touches it, so cost per sample follows the
+ * number of regions that overlap there, not their total number
  * - candidates: texel index of a region, four to a texel; in list order within a cell
  * - regions, RegionTexels each:
  *   [0] shape, fall-off, width, opacity
@@ -24,8 +24,8 @@
  * - edges (x0, y0, x1, y1) and nodes (value, y...) of the regions
  *
  * Axis positions are in axis units, tertiary values in stored units (see vtkTFCAttributePacker).
- * Size: 16 bytes a texel; GridSize^2 + 6 per region + edges + nodes + candidates texels, e.g. 270 KB
- * for 8 simple regions.
+ * Size: 16 bytes a texel; GridSize^2 + 6 per region + edges + nodes + candidates texels, e.g. 270
+ * KB for 8 simple regions.
  */
 
 #ifndef vtkTFCShaderTables_h
@@ -66,8 +66,8 @@ struct VTKTFCVOLUME_EXPORT vtkTFCShaderTables
    * Write the tables of `model`, whose attribute i is stored as stored[i].
    * O(GridSize^2 + sum over regions of the cells that the bounding box touches).
    */
-  static vtkTFCShaderTables Build(
-    const vtkTFCCompiledModel& model, const std::vector<vtkTFCStoredAttribute>& stored);
+  static vtkTFCShaderTables Build(const vtkTFCCompiledModel& model,
+    const std::vector<vtkTFCStoredAttribute>& stored);
 };
 
 #endif

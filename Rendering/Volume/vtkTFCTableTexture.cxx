@@ -14,16 +14,15 @@ vtkTFCTableTexture::vtkTFCTableTexture() = default;
 vtkTFCTableTexture::~vtkTFCTableTexture() = default;
 
 //------------------------------------------------------------------------------
-bool vtkTFCTableTexture::Upload(
-  vtkOpenGLRenderWindow* context, const vtkTFCShaderTables& tables, unsigned int generation)
+bool vtkTFCTableTexture::Upload(vtkOpenGLRenderWindow* context, const vtkTFCShaderTables& tables,
+  unsigned int generation)
 {
   if (this->Texture && this->Texture->GetContext() == context && this->Texture->GetHandle() != 0 &&
     this->Generation == generation)
   {
     return true;
   }
-  const auto rows =
-    static_cast<int>(tables.Texels.size() / vtkTFCShaderTables::RowLength);
+  const auto rows = static_cast<int>(tables.Texels.size() / vtkTFCShaderTables::RowLength);
   if (rows > vtkTextureObject::GetMaximumTextureSize(context))
   {
     return false;

@@ -26,8 +26,8 @@ public:
   /// Upload `tables` when `generation` differs from the last upload or the context has changed.
   /// The context must be current. Returns false when the texture would exceed the context's limit;
   /// GetMaximumRows() tells the limit.
-  bool Upload(
-    vtkOpenGLRenderWindow* context, const vtkTFCShaderTables& tables, unsigned int generation);
+  bool Upload(vtkOpenGLRenderWindow* context, const vtkTFCShaderTables& tables,
+    unsigned int generation);
 
   void Activate();
   void Deactivate();

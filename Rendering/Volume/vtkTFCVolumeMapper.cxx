@@ -27,8 +27,8 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-// Continuous point index (from 0 in the packed image) -> texture coordinate t = index * Scale + Bias.
-// Texels are points or cells; texture coordinate (n + 0.5) / N is the centre of texel n.
+// Continuous point index (from 0 in the packed image) -> texture coordinate t = index * Scale +
+// Bias. Texels are points or cells; texture coordinate (n + 0.5) / N is the centre of texel n.
 struct TextureAxis
 {
   double Scale;
@@ -53,8 +53,8 @@ std::vector<std::array<float, 4>> MakeClippingPlanes(vtkPlaneCollection* planes,
   for (int axis = 0; axis < 3; ++axis)
   {
     textureToIndex->SetElement(axis, axis, 1.0 / axes[axis].Scale);
-    textureToIndex->SetElement(
-      axis, 3, image->GetExtent()[2 * axis] - axes[axis].Bias / axes[axis].Scale);
+    textureToIndex->SetElement(axis, 3,
+      image->GetExtent()[2 * axis] - axes[axis].Bias / axes[axis].Scale);
   }
   vtkNew<vtkMatrix4x4> textureToWorld;
   vtkMatrix4x4::Multiply4x4(image->GetIndexToPhysicalMatrix(), textureToIndex, textureToWorld);
@@ -108,11 +108,11 @@ public:
 };
 
 //------------------------------------------------------------------------------
-// Bring the compiled model, the packed attributes and the tables up to date. Returns whether there is
-// something to draw. A model that does not fit the data is an error and leaves what was drawn before
-// in force, as long as the data is the same.
-bool vtkTFCVolumeMapper::Internals::PackAndCompile(
-  vtkTFCVolumeMapper* mapper, vtkImageData* image, std::string& error)
+// Bring the compiled model, the packed attributes and the tables up to date. Returns whether there
+// is something to draw. A model that does not fit the data is an error and leaves what was drawn
+// before in force, as long as the data is the same.
+bool vtkTFCVolumeMapper::Internals::PackAndCompile(vtkTFCVolumeMapper* mapper, vtkImageData* image,
+  std::string& error)
 {
   vtkTFCTransferFunction* model = mapper->TransferFunction;
   if (this->CompiledFrom != model || this->ModelTime != model->GetMTime())
@@ -155,8 +155,8 @@ bool vtkTFCVolumeMapper::Internals::PackAndCompile(
   {
     this->Model = model->Compile(used.data());
     ++this->TablesGeneration;
-    this->Caster->SetTables(
-      vtkTFCShaderTables::Build(this->Model, this->Packer.GetStored()), this->TablesGeneration);
+    this->Caster->SetTables(vtkTFCShaderTables::Build(this->Model, this->Packer.GetStored()),
+      this->TablesGeneration);
     this->TablesPackGeneration = this->Packer.GetGeneration();
     this->TablesOutdated = false;
   }
@@ -188,8 +188,8 @@ vtkTFCRayCastMapper::Visibility vtkTFCVolumeMapper::Internals::FindVisibility(
       for (const int side : { 0, 1 })
       {
         const double position = mapper->GetCroppingRegionPlanes()[2 * axis + side];
-        indices[side] = (position - image->GetOrigin()[axis]) / image->GetSpacing()[axis] -
-          extent[2 * axis];
+        indices[side] =
+          (position - image->GetOrigin()[axis]) / image->GetSpacing()[axis] - extent[2 * axis];
       }
       visibility.CropMin[axis] = texture(std::min(indices[0], indices[1]));
       visibility.CropMax[axis] = texture(std::max(indices[0], indices[1]));
@@ -290,8 +290,7 @@ double* vtkTFCVolumeMapper::GetBounds()
         const double half = 0.5 * std::abs(image->GetSpacing()[axis]);
         for (int i = 0; i < 3; ++i)
         {
-          const double reach =
-            half * std::abs(image->GetDirectionMatrix()->GetElement(i, axis));
+          const double reach = half * std::abs(image->GetDirectionMatrix()->GetElement(i, axis));
           this->Bounds[2 * i] = bounds[2 * i] - reach;
           this->Bounds[2 * i + 1] = bounds[2 * i + 1] + reach;
         }
@@ -340,12 +339,11 @@ bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& 
 
   vtkTFCRayCastMapper* caster = internal.Caster;
   caster->SetInputData(internal.Packer.GetImage());
-  caster->SetScalarMode(internal.Packer.IsCellData() ? VTK_SCALAR_MODE_USE_CELL_DATA
-                                                     : VTK_SCALAR_MODE_USE_POINT_DATA);
+  caster->SetScalarMode(
+    internal.Packer.IsCellData() ? VTK_SCALAR_MODE_USE_CELL_DATA : VTK_SCALAR_MODE_USE_POINT_DATA);
   caster->SetVisibility(internal.FindVisibility(this, vol));
   const double* spacing = internal.Packer.GetImage()->GetSpacing();
-  const double mean =
-    (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
+  const double mean = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
   caster->SetDistances(this->SampleDistance > 0.0 ? this->SampleDistance : 0.5 * mean,
     vol->GetProperty()->GetScalarOpacityUnitDistance());
   caster->SetInteractive(ren->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0);

@@ -5,29 +5,29 @@
  * @brief Ray casts a vtkImageData with a combined transfer function.
  *
  * Every sample of a ray is classified after interpolating the attributes (post-classification):
- * each region of the transfer function weighs the primary and secondary attribute by its 2D shape and
- * the tertiary attribute by its own 1D function (Zhou, Schott, Hansen, "Transfer Function
- * Combinations", Computers & Graphics 36(6), 2012). Samples are composited front to back; the model's
- * opacities hold per ScalarOpacityUnitDistance of the volume's property (world units) and are
- * corrected for the length of each step, 1 - (1 - alpha)^(step / unit).
+ * each region of the transfer function weighs the primary and secondary attribute by its 2D shape
+ * and the tertiary attribute by its own 1D function (Zhou, Schott, Hansen, "Transfer Function
+ * Combinations", Computers & Graphics 36(6), 2012). Samples are composited front to back; the
+ * model's opacities hold per ScalarOpacityUnitDistance of the volume's property (world units) and
+ * are corrected for the length of each step, 1 - (1 - alpha)^(step / unit).
  *
  * Input: a vtkImageData with the attributes as point arrays or as cell arrays, of any numeric type.
  * At most two axes and two different tertiary attributes at a time, any number of regions. NaN
- * values and blanked points or cells are invisible; ghost cells are used for gradients and not drawn.
- * One-voxel-thick images are drawn as slabs of one voxel.
+ * values and blanked points or cells are invisible; ghost cells are used for gradients and not
+ * drawn. One-voxel-thick images are drawn as slabs of one voxel.
  *
  * Supported: shading of the volume's property with VTK's lights (the gradient is the primary
  * attribute's), opaque and translucent geometry, up to 16 clipping planes, cropping (27 regions,
  * planes in the image's model coordinates along its index axes), parallel and perspective cameras.
  * Only composite blending; other blend modes and composite datasets are an error.
  *
- * Edits of the transfer function upload a small table (vtkTFCShaderTables) and never build a shader;
- * the mapper's modification time does not include the model's. Changing an attribute to one that is
- * not on the GPU packs and uploads the volume again.
+ * Edits of the transfer function upload a small table (vtkTFCShaderTables) and never build a
+ * shader; the mapper's modification time does not include the model's. Changing an attribute to one
+ * that is not on the GPU packs and uploads the volume again.
  *
- * Errors (missing array, too many attributes, ...) are raised once per cause with vtkErrorMacro, and
- * GetLastError() has the text. A transfer function that does not fit the data leaves the previous one
- * in force; when there is none for this data, nothing is drawn.
+ * Errors (missing array, too many attributes, ...) are raised once per cause with vtkErrorMacro,
+ * and GetLastError() has the text. A transfer function that does not fit the data leaves the
+ * previous one in force; when there is none for this data, nothing is drawn.
  *
  * The volume's property is set to dependent components and 1D mode: VTK then hands all channels of
  * the packed texture to the classification. Its colour and opacity functions are not used.
@@ -67,8 +67,8 @@ public:
 
   ///@{
   /**
-   * Values of the primary and secondary attribute at the ends of an axis for which the model gives no
-   * range. Where the data is distributed they must be those of all ranks. Default: empty, which
+   * Values of the primary and secondary attribute at the ends of an axis for which the model gives
+   * no range. Where the data is distributed they must be those of all ranks. Default: empty, which
    * stands for the finite range in the input.
    */
   void SetAutomaticRanges(const double primary[2], const double secondary[2]);

@@ -35,8 +35,8 @@ namespace tfctest
 {
 
 /// Add a point array with value f(x, y, z) at every point of `image`.
-inline void AddField(
-  vtkImageData* image, const char* name, const std::function<double(double, double, double)>& f)
+inline void AddField(vtkImageData* image, const char* name,
+  const std::function<double(double, double, double)>& f)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
@@ -125,8 +125,8 @@ public:
     picture.Height = this->Window->GetSize()[1];
     vtkNew<vtkUnsignedCharArray> pixels;
     this->Window->GetPixelData(0, 0, picture.Width - 1, picture.Height - 1, 1, pixels);
-    picture.Values.assign(
-      pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+    picture.Values.assign(pixels->GetPointer(0),
+      pixels->GetPointer(0) + pixels->GetNumberOfValues());
     return picture;
   }
 

@@ -26,7 +26,8 @@ vtkSmartPointer<vtkImageData> MakeVolume()
     [c](double x, double y, double z)
     { return std::exp(-((x - c) * (x - c) + (y - c) * (y - c) + (z - c) * (z - c)) / 500.0); });
   AddField(image, "y",
-    [](double x, double y, double z) { return 0.5 + 0.4 * std::sin(0.11 * x + 0.07 * y - 0.05 * z); });
+    [](double x, double y, double z)
+    { return 0.5 + 0.4 * std::sin(0.11 * x + 0.07 * y - 0.05 * z); });
   AddField(image, "t", [](double x, double y, double z) { return 0.3 * x - 0.2 * y + 0.25 * z; });
   AddField(image, "u", [](double x, double y, double z) { return std::cos(0.1 * (x + y + z)); });
   return image;
@@ -95,8 +96,8 @@ std::array<double, 3> CastRay(const vtkTFCClassifier& classifier, vtkImageData* 
     std::vector<double> values;
     for (const auto& attribute : classifier.GetModel().Attributes)
     {
-      auto* array = vtkDoubleArray::SafeDownCast(
-        image->GetPointData()->GetArray(attribute.Array.c_str()));
+      auto* array =
+        vtkDoubleArray::SafeDownCast(image->GetPointData()->GetArray(attribute.Array.c_str()));
       values.push_back(Interpolate(array->GetPointer(0), p));
     }
     std::vector<const double*> pointers;

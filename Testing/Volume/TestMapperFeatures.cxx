@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What the mapper does besides classifying, measured with fog: a region that covers everything with
-// one opacity a, so that a ray that sees a length L must have 1 - (1 - a)^(L / unit) in every pixel.
+// one opacity a, so that a ray that sees a length L must have 1 - (1 - a)^(L / unit) in every
+// pixel.
 #include "Support/VolumeScene.h"
 
 #include "vtkActor.h"
@@ -337,7 +338,8 @@ TEST(ScalarTypes, AllGiveThePictureOfDouble)
         "falloff": {"type": "smooth", "width": 1}, "opacity": 0.2,
         "tertiary": {"array": "y", "component": 0, "range": [0, 100],
                      "opacity": [[10, 0], [90, 1]]}})",
-    "[0, 100]", "[0, 100]").c_str()));
+    "[0, 100]", "[0, 100]")
+                                      .c_str()));
   auto image = MakeImage(24, 24, 24);
   AddField(image, "x", [](double x, double y, double) { return std::floor(2.2 * (x + y)); });
   AddField(image, "y", [](double x, double, double z) { return std::floor(2.1 * (z + x)); });
@@ -361,8 +363,8 @@ TEST(ScalarTypes, AllGiveThePictureOfDouble)
   }
 }
 
-// A ramp along a direction in data coordinates: a surface everywhere, with that normal. Its brightness
-// is the cosine between normal and light, whatever the block's proportions and spacing.
+// A ramp along a direction in data coordinates: a surface everywhere, with that normal. Its
+// brightness is the cosine between normal and light, whatever the block's proportions and spacing.
 class Shading : public testing::TestWithParam<bool>
 {
 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A one-voxel-thick slab under parallel projection is the shader's classification made visible: every
-// pixel must be within 1/255 of the CPU reference, for every shape, fall-off, blend and kind of
-// tertiary function.
+// A one-voxel-thick slab under parallel projection is the shader's classification made visible:
+// every pixel must be within 1/255 of the CPU reference, for every shape, fall-off, blend and kind
+// of tertiary function.
 #include "Support/VolumeScene.h"
 
 #include "vtkTFCClassifier.h"
@@ -28,8 +28,8 @@ double TertiaryOf(double worldX, double worldY)
 }
 
 // What the pixel at (column, row) must be; `scale` is the size of a pixel in world units.
-std::array<float, 4> Reference(
-  const vtkTFCClassifier& classifier, double column, double row, double scale)
+std::array<float, 4> Reference(const vtkTFCClassifier& classifier, double column, double row,
+  double scale)
 {
   const double middle = 0.5 * (Voxels - 1);
   const double worldX = middle + scale * (column + 0.5 - 0.5 * Size);
@@ -165,8 +165,8 @@ TEST(Slab, TertiaryOpacityMatchesTheReference)
 {
   const std::string tertiary = R"({"array": "t", "component": 0, "range": [0, 1],
     "opacity": [[0.2, 0], [0.35, 1], [0.6, 0.25], [0.6, 0.75], [0.8, 0]]})";
-  ExpectSlabMatches(MakeState(MakeRegion(
-    1, Shapes[1], R"({"type": "linear", "width": 1})", "[1, 0.8, 0.2]", 1.0, tertiary)));
+  ExpectSlabMatches(MakeState(
+    MakeRegion(1, Shapes[1], R"({"type": "linear", "width": 1})", "[1, 0.8, 0.2]", 1.0, tertiary)));
 }
 
 TEST(Slab, TertiaryColorMatchesTheReference)
@@ -174,16 +174,16 @@ TEST(Slab, TertiaryColorMatchesTheReference)
   const std::string tertiary = R"({"array": "t", "component": 0, "range": [0, 1],
     "opacity": [[0, 1]],
     "color": [[0.2, 1, 0, 0], [0.5, 0, 1, 0.5], [0.7, 0, 0, 1]]})";
-  ExpectSlabMatches(MakeState(MakeRegion(
-    1, Shapes[3], R"({"type": "smooth", "width": 0.5})", "[1, 1, 1]", 0.9, tertiary)));
+  ExpectSlabMatches(MakeState(
+    MakeRegion(1, Shapes[3], R"({"type": "smooth", "width": 0.5})", "[1, 1, 1]", 0.9, tertiary)));
 }
 
 TEST(Slab, AxisAsTertiaryMatchesTheReference)
 {
   const std::string tertiary = R"({"array": "x", "component": 0, "range": [0, 1],
     "opacity": [[0.3, 0], [0.5, 1], [0.7, 0]]})";
-  ExpectSlabMatches(MakeState(MakeRegion(
-    1, Shapes[1], R"({"type": "constant"})", "[0.2, 0.8, 1]", 0.7, tertiary)));
+  ExpectSlabMatches(
+    MakeState(MakeRegion(1, Shapes[1], R"({"type": "constant"})", "[0.2, 0.8, 1]", 0.7, tertiary)));
 }
 
 TEST(Slab, DifferentAxisRangesMatchTheReference)
@@ -205,8 +205,7 @@ TEST(Slab, RegionAThousandthOfAnAxisWideMatchesTheReference)
       R"({"type": "triangle", "points": [[0.4996, 0.4995], [0.5005, 0.4998], [0.4998, 0.5005]]})" })
   {
     ExpectSlabMatches(
-      MakeState(
-        MakeRegion(1, shape, R"({"type": "smooth", "width": 0.8})", "[1, 0.6, 0.3]", 1.0)),
+      MakeState(MakeRegion(1, shape, R"({"type": "smooth", "width": 0.8})", "[1, 0.6, 0.3]", 1.0)),
       scale);
   }
 }
