@@ -24,8 +24,7 @@ public:
   ~vtkTFCTableTexture();
 
   /// Upload `tables` when `generation` differs from the last upload or the context has changed.
-  /// The context must be current. Returns false when the texture would exceed the context's limit;
-  /// GetMaximumRows() tells the limit.
+  /// The context must be current. Returns false when the texture would exceed the context's limit.
   bool Upload(vtkOpenGLRenderWindow* context, const vtkTFCShaderTables& tables,
     unsigned int generation);
 

@@ -1,5 +1,5 @@
 // Weight of a region at a point in axis units: the normalised distance d inside the shape and the
-// fall-off w(d), as doc section "Transfer function state" defines them. Zero outside.
+// fall-off w(d), as Plugin/Documentation/state-format.md defines them. Zero outside.
 
 const int TFC_ELLIPSE = 0;
 const int TFC_RECTANGLE = 1;
