@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCAttributeReader.h"
 
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellData.h"
+#include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
-#include "vtkSOADataArrayTemplate.h"
+#include "vtkTFCSamples.h"
 #include "vtkTFCThreads.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -19,93 +19,10 @@
 namespace
 {
 //------------------------------------------------------------------------------
-// `get(tuple, component)` is inlined, so that each instance is one tight typed loop.
-template <typename Get>
-void ReadValues(const Get& get, int components, int component, vtkIdType begin, vtkIdType count,
-  double* out)
-{
-  if (component >= 0)
-  {
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      out[i] = static_cast<double>(get(begin + i, component));
-    }
-    return;
-  }
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    double sum = 0;
-    for (int c = 0; c < components; ++c)
-    {
-      const double value = static_cast<double>(get(begin + i, c));
-      sum += value * value;
-    }
-    out[i] = std::sqrt(sum);
-  }
-}
-
-//------------------------------------------------------------------------------
-template <typename T>
-void ReadAOS(vtkDataArray* array, int component, vtkIdType begin, vtkIdType count, double* out)
-{
-  const T* values = static_cast<vtkAOSDataArrayTemplate<T>*>(array)->GetPointer(0);
-  const int components = array->GetNumberOfComponents();
-  ReadValues([values, components](vtkIdType tuple, int c)
-    { return values[tuple * components + c]; },
-    components, component, begin, count, out);
-}
-
-//------------------------------------------------------------------------------
-template <typename T>
-void ReadSOA(vtkDataArray* array, int component, vtkIdType begin, vtkIdType count, double* out)
-{
-  const auto* typed = static_cast<vtkSOADataArrayTemplate<T>*>(array);
-  ReadValues([typed](vtkIdType tuple, int c) { return typed->GetTypedComponent(tuple, c); },
-    array->GetNumberOfComponents(), component, begin, count, out);
-}
-
-//------------------------------------------------------------------------------
-// Bit arrays and implicit ones. GetComponent() only reads, for all of VTK's arrays.
-void ReadAny(vtkDataArray* array, int component, vtkIdType begin, vtkIdType count, double* out)
-{
-  ReadValues([array](vtkIdType tuple, int c) { return array->GetComponent(tuple, c); },
-    array->GetNumberOfComponents(), component, begin, count, out);
-}
-
-//------------------------------------------------------------------------------
-std::string ListArrays(vtkDataSetAttributes* data)
-{
-  std::string list;
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = data->GetArray(i);
-    if (array && array->GetName())
-    {
-      list += (list.empty() ? "" : ", ") + std::string(array->GetName());
-    }
-  }
-  return list.empty() ? "none" : list;
-}
-
-//------------------------------------------------------------------------------
 std::string Quoted(const std::string& name)
 {
   return "'" + name + "'";
 }
-}
-
-//------------------------------------------------------------------------------
-vtkTFCAttributeReader::ReadFunction vtkTFCAttributeReader::FindFunction(vtkDataArray* array)
-{
-  switch (array->GetDataType())
-  {
-    vtkTemplateMacro(
-      if (vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(array)) return &ReadAOS<VTK_TT>;
-      if (vtkSOADataArrayTemplate<VTK_TT>::FastDownCast(array)) return &ReadSOA<VTK_TT>);
-    default:
-      break;
-  }
-  return &ReadAny;
 }
 
 //------------------------------------------------------------------------------
@@ -133,8 +50,8 @@ bool vtkTFCAttributeReader::Bind(vtkDataSet* data, const std::vector<vtkTFCAttri
       if (!has(0, attribute) && !has(1, attribute))
       {
         error = "There is no array " + Quoted(attribute.Array) +
-          " in the data. Point arrays: " + ListArrays(kinds[0]) +
-          "; cell arrays: " + ListArrays(kinds[1]) +
+          " in the data. Point arrays: " + vtkTFCSamples::ListArrays(kinds[0]) +
+          "; cell arrays: " + vtkTFCSamples::ListArrays(kinds[1]) +
           ". Compute it, or choose one of these in the transfer function.";
         return false;
       }
@@ -171,16 +88,14 @@ bool vtkTFCAttributeReader::Bind(vtkDataSet* data, const std::vector<vtkTFCAttri
         " " + words[kind] + "s.";
       return false;
     }
-    sources.push_back({ array, attribute.Component, FindFunction(array) });
+    sources.push_back({ array, attribute.Component });
   }
 
   this->Sources = std::move(sources);
   this->Association = kind == 0 ? vtkDataObject::POINT : vtkDataObject::CELL;
   this->NumberOfTuples = expected;
-  this->HiddenBit =
-    kind == 0 ? int(vtkDataSetAttributes::HIDDENPOINT) : int(vtkDataSetAttributes::HIDDENCELL);
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-    kinds[kind]->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  this->HiddenBit = vtkTFCSamples::GetHiddenBit(this->Association);
+  vtkUnsignedCharArray* ghosts = vtkTFCSamples::GetGhosts(kinds[kind]);
   if (ghosts && ghosts->GetNumberOfValues() == expected)
   {
     this->Ghosts = ghosts->GetPointer(0);
@@ -192,7 +107,7 @@ bool vtkTFCAttributeReader::Bind(vtkDataSet* data, const std::vector<vtkTFCAttri
 void vtkTFCAttributeReader::Read(int attribute, vtkIdType begin, vtkIdType count, double* out) const
 {
   const Source& source = this->Sources[attribute];
-  source.Function(source.Array, source.Component, begin, count, out);
+  vtkTFCSamples::Read(source.Array, source.Component, begin, count, out);
 }
 
 //------------------------------------------------------------------------------

@@ -4,10 +4,9 @@
  * @class vtkTFCAttributeReader
  * @brief Finds the attributes of a transfer function in a dataset and hands them out as doubles.
  *
- * The array types are resolved once, in Bind(); Read() then costs a typed copy per value for every
- * VTK scalar type (bit, char, id and 64-bit integers included) in array-of-structures and
- * structure-of-arrays layout, and a virtual call per value for other layouts. Integers beyond 2^53
- * round to the nearest double. Component -1 is the magnitude of the tuple.
+ * Every VTK scalar type is read (bit, char, id and 64-bit integers included), with one dispatch on
+ * the array's type per block, see vtkTFCSamples. Integers beyond 2^53 round to the nearest double.
+ * Component -1 is the magnitude of the tuple.
  *
  * All attributes come from the same kind of data: points when all are there, else cells. The
  * dataset must outlive the reader and not change; then the const methods may run on any number of
@@ -71,15 +70,11 @@ public:
   void FiniteRange(int attribute, double range[2]) const;
 
 private:
-  using ReadFunction = void (*)(vtkDataArray* array, int component, vtkIdType begin,
-    vtkIdType count, double* out);
   struct Source
   {
     vtkDataArray* Array;
     int Component;
-    ReadFunction Function;
   };
-  static ReadFunction FindFunction(vtkDataArray* array);
 
   std::vector<Source> Sources;
   int Association = 0;

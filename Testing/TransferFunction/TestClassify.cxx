@@ -190,7 +190,7 @@ TEST(AttributeReader, ErrorsNameTheArrays)
   vtkTFCAttributeReader reader;
   std::string error;
   EXPECT_FALSE(reader.Bind(image, { { "P", 0 }, { "Q", 0 } }, error));
-  EXPECT_NE(error.find("There is no array 'Q' in the data. Point arrays: P; cell arrays: C."),
+  EXPECT_NE(error.find("There is no array 'Q' in the data. Point arrays: 'P'; cell arrays: 'C'."),
     std::string::npos)
     << error;
   EXPECT_FALSE(reader.Bind(image, { { "words", 0 } }, error)) << "text is not numbers";
@@ -344,7 +344,7 @@ TEST(ClassifyVolume, MissingArrayPassesTheInputWithAnError)
   ExpectPassedThrough(Classify(filter, image,
     State(Everywhere(1, 1, "[1, 0, 0]", R"({"array": "U", "opacity": [[0, 1]]})"))));
   EXPECT_NE(catcher.Errors.find("There is no array 'U'"), std::string::npos);
-  EXPECT_NE(catcher.Errors.find("P, S, T"), std::string::npos);
+  EXPECT_NE(catcher.Errors.find("'P', 'S', 'T'"), std::string::npos);
   EXPECT_TRUE(
     vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData()->HasArray("P"));
 }
