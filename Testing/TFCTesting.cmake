@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Helpers to declare tests. ctest labels in use:
 #   kernels filters model volume charts plugin python gui mpi data lint
 

@@ -54,8 +54,10 @@ def _prepare(source, tf):
             f"a combined transfer function renders a vtkImageData, not a {kind}; "
             "the filter 'Resample To Image' makes one"
         )
-    _fill_range(source, tf.primary)
-    _fill_range(source, tf.secondary)
+    for name, axis in (("primary", tf.primary), ("secondary", tf.secondary)):
+        if not axis:
+            raise ValueError(f"{name}: the transfer function has no {name} axis; name an array")
+        _fill_range(source, axis)
     for region in tf.regions:
         if region.tertiary_state:
             _fill_range(source, region.tertiary_state)
@@ -66,9 +68,10 @@ def show(source, tf, view=None, unit_distance=None, shade=None):
     """Show a source as "Combined Volume" with a transfer function and return the display.
 
     ``unit_distance`` is the length, in world units, over which the opacities of the regions hold
-    (ParaView's choice by default: about one cell); ``shade`` switches lighting by the gradient of the
-    primary attribute. Ranges that the transfer function leaves open are taken from the data. Raises
-    KeyError for an unknown array, TypeError when the source is not an image.
+    (ParaView's choice by default: about one cell); ``shade`` switches lighting by the gradient of
+    the primary attribute. Ranges that the transfer function leaves open are taken from the data.
+    Raises KeyError for an unknown array or component, TypeError when the source is not an image,
+    ValueError when an axis is missing.
     """
     from paraview import simple
 
