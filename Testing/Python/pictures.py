@@ -43,10 +43,15 @@ def difference(first, second):
 
 
 def make_view():
-    """A view without decoration whose background is black."""
+    """A small view without decoration whose background is black."""
     from paraview import simple
 
-    view = simple.CreateRenderView(ViewSize=list(SIZE))
+    return clear(simple.CreateRenderView())
+
+
+def clear(view):
+    """Make a view small and black, without decoration."""
+    view.ViewSize = list(SIZE)
     view.UseColorPaletteForBackground = 0
     view.Background = [0, 0, 0]
     view.OrientationAxesVisibility = 0
@@ -86,3 +91,18 @@ def reported():
         yield window.GetOutput
     finally:
         vtkOutputWindow.SetInstance(previous)
+
+
+def count_hues(picture, background):
+    """Numbers of pixels that differ from the background and are red, yellow, green and blue."""
+    shown = np.abs(picture - 255 * np.asarray(background)).max(axis=2) > 24
+    high = picture.max(axis=2)
+    spread = high - picture.min(axis=2)
+    shown &= spread > 0.35 * high
+    red, green, blue = (picture[:, :, i] for i in range(3))
+    scale = np.where(spread > 0, spread, 1)
+    sixths = np.where(high == red, (green - blue) / scale % 6,
+                      np.where(high == green, (blue - red) / scale + 2, (red - green) / scale + 4))
+    bands = {"red": (325, 385), "yellow": (38, 66), "green": (85, 150), "blue": (205, 255)}
+    return {name: int((shown & ((60 * sixths - low) % 360 < high - low)).sum())
+            for name, (low, high) in bands.items()}

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Rendering a combined transfer function in a ParaView view."""
 
+from contextlib import contextmanager
+
 from .plugin import load_plugin
 
 REPRESENTATION = "Combined Volume"
@@ -64,6 +66,24 @@ def _prepare(source, tf):
     return tf.to_json()
 
 
+@contextmanager
+def _traced(display):
+    """Put the properties of a display that change meanwhile into ParaView's Python trace, when one is
+    recorded. ParaView itself records the edits of its GUI only.
+    """
+    from paraview import servermanager, smtrace
+
+    item = None
+    if servermanager.vtkSMTrace.GetActiveTracer():
+        try:
+            item = smtrace.PropertiesModified(display)
+        except smtrace.Untraceable:
+            pass  # a display that was made before the recording began
+    yield
+    if item:
+        item.finalize()
+
+
 def show(source, tf, view=None, unit_distance=None, shade=None):
     """Show a source as "Combined Volume" with a transfer function and return the display.
 
@@ -86,11 +106,12 @@ def show(source, tf, view=None, unit_distance=None, shade=None):
             "TransferFunctionCombinations must be loaded there too"
         )
     display.SetRepresentationType(REPRESENTATION)
-    display.TransferFunction = state
-    if unit_distance is not None:
-        display.ScalarOpacityUnitDistance = unit_distance
-    if shade is not None:
-        display.Shade = 1 if shade else 0
+    with _traced(display):
+        display.TransferFunction = state
+        if unit_distance is not None:
+            display.ScalarOpacityUnitDistance = unit_distance
+        if shade is not None:
+            display.Shade = 1 if shade else 0
     return display
 
 
@@ -98,4 +119,6 @@ def apply(display, tf):
     """Give a display that :func:`show` returned an edited transfer function. The view is not
     rendered.
     """
-    display.TransferFunction = _prepare(display.Input, tf)
+    state = _prepare(display.Input, tf)
+    with _traced(display):
+        display.TransferFunction = state
