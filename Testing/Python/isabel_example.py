@@ -98,7 +98,7 @@ def run():
         hues = pictures.count_hues(picture, (0.05, 0.06, 0.09))
         print(hues)
         check(picture.shape == (180, 240, 3), "size of the picture")
-        check(min(hues.values()) >= 150, "eye, inner, outer and blue bands are visible: %s" % hues)
+        check(min(hues.values()) >= 100, "eye, inner, outer and blue bands are visible: %s" % hues)
         state = os.path.join(os.environ["TFC_EXAMPLES"], "isabel.tfc.json")
         again = os.path.join(folder, "again.png")
         isabel.main([compressed, again, *options, "--state", state])
