@@ -91,6 +91,13 @@ check(np.allclose(automatic.primary["range"], (low, high)), "primary range from 
 check(np.allclose(automatic.regions[0].tertiary_state["range"], (-10, 10)),
       "tertiary range from the data")
 
+constant = simple.Calculator(Input=source, ResultArrayName="C", Function="8")
+automatic = tfc.TransferFunction("C", "R")
+automatic.add_rectangle((8, 5), (4, 5))
+tfc.apply(tfc.show(constant, automatic, view), automatic)
+check(automatic.primary["range"] == [4, 12], "the range around a constant array")
+simple.Hide(constant, view)
+
 # Mistakes are Python exceptions before anything is shown.
 raises(KeyError, lambda: tfc.show(source, tfc.TransferFunction("P", "R"), view),
        "'P'", "RTData", "R", "X")

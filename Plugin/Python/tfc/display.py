@@ -42,8 +42,12 @@ def _fill_range(source, attribute):
     array = find_array(source, attribute["array"], attribute["component"])
     if attribute.get("range") is None:
         low, high = array.GetComponentFiniteRange(attribute["component"])
-        if not low < high:
-            low, high = (low, low + 1) if low == high else (0.0, 1.0)
+        # As vtkTFCTransferFunction::ResolveRanges() does.
+        if low == high:
+            half = max(0.5, abs(low) / 2)
+            low, high = low - half, high + half
+        elif not low < high:
+            low, high = 0.0, 1.0
         attribute["range"] = [low, high]
 
 
@@ -68,8 +72,8 @@ def _prepare(source, tf):
 
 @contextmanager
 def _traced(display):
-    """Put the properties of a display that change meanwhile into ParaView's Python trace, when one is
-    recorded. ParaView itself records the edits of its GUI only.
+    """Put the properties of a display that change meanwhile into ParaView's Python trace, when one
+    is recorded. ParaView itself records the edits of its GUI only.
     """
     from paraview import servermanager, smtrace
 

@@ -47,9 +47,10 @@ def score(source, primary, secondary=None, arrays=None, balance=0.4, bins=256, f
     ``arrays`` are the attributes to look at, by default all point arrays with one component;
     ``"velocity:0"`` and ``"velocity:magnitude"`` stand for one of an array with several.
     ``balance`` is the a of Eq. 3, in [0, 1): larger weighs low correlation with the primary
-    attribute more, smaller weighs high entropy more. ``fill_values`` are numbers that stand for missing data; NaN always does.
-    Returns a list of :class:`Score`. The axes follow with rank 0. Raises KeyError for an unknown
-    array and ValueError when there is nothing to score, with the reason.
+    attribute more, smaller weighs high entropy more. ``fill_values`` are numbers that stand for
+    missing data; NaN always does. Returns a list of :class:`Score`. The axes follow with rank 0.
+    Raises KeyError for an unknown array and ValueError, with the reason, when there is nothing to
+    score.
     """
     from paraview import servermanager, simple
 
