@@ -8,8 +8,8 @@ import lint
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 VTK = re.compile(r"^vtk.*\.h$")
-# vtkSMP... is VTK's, for threads.
-PARAVIEW_OR_QT = re.compile(r"^(pq|vtkSM(?!P)|vtkPV|vtkSI|Q[A-Z])")
+# VTK has classes for threads whose names start with vtkSMP.
+PARAVIEW_OR_QT = re.compile(r"^(pq|vtkSM(?!P(Tools|Thread))|vtkPV|vtkSI|Q[A-Z])")
 OPENGL = re.compile(r"^(vtkOpenGL|vtk_glew|vtkTextureObject|vtkShader(?!Tables)|GL/)")
 
 # A folder may include its own headers and those of the folders that it names.

@@ -45,20 +45,6 @@ def _falloff(kind, width):
     return {"type": kind, "width": 0.25 if width is None else _number(width, "width")}
 
 
-def _pretty(value, indent=""):
-    """JSON text with as much on a line as fits."""
-    text = json.dumps(value)
-    if len(indent) + len(text) < 99 or not isinstance(value, (dict, list)):
-        return text
-    inner = indent + " "
-    if isinstance(value, dict):
-        parts = [f"{json.dumps(key)}: {_pretty(item, inner)}" for key, item in value.items()]
-    else:
-        parts = [_pretty(item, inner) for item in value]
-    opening, closing = "{}" if isinstance(value, dict) else "[]"
-    return opening + "\n" + inner + (",\n" + inner).join(parts) + "\n" + indent + closing
-
-
 class Region:
     """One region of a combined transfer function. Made by the ``add_...`` methods of
     :class:`TransferFunction`; change it through its attributes and :meth:`tertiary`.
@@ -352,7 +338,7 @@ class TransferFunction:
         """Write the state to a file, by custom ``NAME.tfc.json``."""
         text = self.to_json()
         with open(path, "w", encoding="utf-8") as file:
-            file.write(_pretty(json.loads(text)) + "\n")
+            file.write(text.rstrip("\n") + "\n")
 
     def __eq__(self, other):
         return isinstance(other, TransferFunction) and self.to_json() == other.to_json()
