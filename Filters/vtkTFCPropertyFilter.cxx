@@ -334,15 +334,29 @@ int vtkTFCPropertyFilter::RequestData(vtkInformation*, vtkInformationVector** in
   output->ShallowCopy(input);
 
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkAbstractArray* chosen = this->GetInputAbstractArrayToProcess(0, input, association);
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const char* wanted =
+    info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  vtkAbstractArray* chosen = nullptr;
+  if (wanted && *wanted == '\0')
+  {
+    // What ParaView sends for a source that was not updated when the filter was made.
+    wanted = nullptr;
+    chosen = input->GetPointData()->GetScalars();
+    if (!chosen && (chosen = input->GetCellData()->GetScalars()))
+    {
+      association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    }
+  }
+  else
+  {
+    chosen = this->GetInputAbstractArrayToProcess(0, input, association);
+  }
   auto* array = vtkDataArray::SafeDownCast(chosen);
   const bool isEmpty = input->GetNumberOfPoints() == 0;
   std::string problem = this->CheckParameters();
   if (problem.empty() && !isEmpty)
   {
-    vtkInformation* info = this->GetInputArrayInformation(0);
-    const char* wanted =
-      info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
     problem =
       CheckArray(input, chosen, wanted ? wanted : "(active scalars)", association, this->Component);
   }

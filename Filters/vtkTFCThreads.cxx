@@ -46,8 +46,7 @@ void For(vtkIdType first, vtkIdType last, vtkIdType grain,
 
 //------------------------------------------------------------------------------
 bool ForWithProgress(vtkIdType first, vtkIdType last, vtkIdType grain, vtkAlgorithm* owner,
-  double progressBegin, double progressEnd,
-  const std::function<void(vtkIdType, vtkIdType)>& body)
+  double progressBegin, double progressEnd, const std::function<void(vtkIdType, vtkIdType)>& body)
 {
   if (!owner)
   {

@@ -5,8 +5,8 @@
  * @brief Threaded loops of this project, independent of the host application's SMP settings.
  *
  * vtkSMPTools runs serially when the application selected the Sequential backend, which is the
- * default of Debian's ParaView. These helpers run on the STDThread backend in a local scope, so that
- * neither the application's nor another plugin's setting changes.
+ * default of Debian's ParaView. These helpers run on the STDThread backend in a local scope, so
+ * that neither the application's nor another plugin's setting changes.
  *
  * The number of threads is the environment variable TFC_NUM_THREADS when it is a positive integer,
  * else the number of hardware threads. Results of this project's filters do not depend on it.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Helpers to declare tests. ctest labels in use:
 #   kernels filters model volume charts plugin python gui mpi data lint
 
@@ -19,13 +20,14 @@ find_program(TFC_PVBATCH pvbatch DOC "ParaView's batch program, for the tests la
 find_program(TFC_MPIRUN mpirun DOC "Open MPI's launcher, for the tests labelled 'mpi'")
 
 # Properties that all tests of scripts share. A script exits with 77 to be reported as skipped, and
-# finds the plugin, the real volumes and the Python package through its environment.
+# finds the plugin, the real volumes and the Python package through its environment. Processes that
+# wait for each other give way, and Mesa's software renderer takes one thread: tests run side by side.
 function (_tfc_script_properties name labels)
   set_tests_properties(${name} PROPERTIES
     LABELS "${labels}"
     TIMEOUT 300
     SKIP_RETURN_CODE 77
-    ENVIRONMENT "TFC_PLUGIN=$<TARGET_FILE:TransferFunctionCombinations>;TFC_DATA_ROOT=${TFC_DATA_ROOT};PYTHONPATH=${CMAKE_BINARY_DIR}/${TFC_PYTHON_DESTINATION}:${CMAKE_SOURCE_DIR}/Testing")
+    ENVIRONMENT "TFC_PLUGIN=$<TARGET_FILE:TransferFunctionCombinations>;TFC_DATA_ROOT=${TFC_DATA_ROOT};PYTHONPATH=${CMAKE_BINARY_DIR}/${TFC_PYTHON_DESTINATION}:${CMAKE_SOURCE_DIR}/Testing;OMPI_MCA_mpi_yield_when_idle=1;LP_NUM_THREADS=1")
 endfunction ()
 
 # tfc_add_pvpython_test(NAME SCRIPT LABELS labels [ARGS arguments])

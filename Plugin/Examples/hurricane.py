@@ -5,10 +5,10 @@
     pvpython hurricane.py sim_cm1_hurricane.vti hurricane.png
     mpirun -np 2 pvbatch hurricane.py sim_cm1_hurricane.vti hurricane.png
 
-This is the multivariate example of the paper (section 5.5, Figure 6): pressure and temperature span the
-2D domain, where the undisturbed air lies on one curve and the warm core beside it; each region has a
-different function of QVAPOR. The input is a vtkImageData with the point arrays P (hPa), TC (degC) and
-QVAPOR (g/kg). The state is also in hurricane.tfc.json.
+This is the multivariate example of the paper (section 5.5, Figure 6): pressure and temperature span
+the 2D domain, where the undisturbed air lies on one curve and the warm core beside it; each region
+has a different function of QVAPOR. The input is a vtkImageData with the point arrays P (hPa),
+TC (degC) and QVAPOR (g/kg). The state is also in hurricane.tfc.json.
 """
 
 import sys
@@ -19,15 +19,16 @@ import tfc
 def make_transfer_function():
     tf = tfc.TransferFunction("P", "TC", primary_range=(100, 1000), secondary_range=(-80, 30))
 
-    # At a given pressure the core is 3 to 5 degrees warmer than the air around the storm. Its drier,
-    # sinking part is the eye; the moist part of the same region is the eyewall.
+    # At a given pressure the core is 3 to 5 degrees warmer than the air around the storm. Its
+    # drier, sinking part is the eye; the moist part of the same region is the eyewall.
     eye = tf.add_polygon(
         [(325, -22.6), (400, -11.8), (480, -3.9), (540, 0.4), (620, 6.2), (690, 11.0), (770, 15.7),
          (770, 19.0), (690, 15.0), (620, 10.5), (540, 5.0), (480, 1.0), (400, -7.0), (325, -17.0)],
         name="warm core", color="crimson", opacity=0.5, falloff="smooth", width=0.5)
     eye.tertiary("QVAPOR", [(0.6, 0), (1.0, 1), (9.5, 1), (13.0, 0)], range=(0, 23))
 
-    # Middle levels on the curve of the surrounding air: there only what is moist belongs to the storm.
+    # Middle levels on the curve of the surrounding air: there only what is moist belongs to the
+    # storm.
     upper = tf.add_polygon(
         [(380, -21), (460, -12), (560, -3), (560, 1.0), (460, -5.6), (380, -13.6)],
         name="upper spiral bands", color="gold", opacity=0.5, falloff="smooth", width=0.6)

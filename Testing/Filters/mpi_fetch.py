@@ -17,7 +17,8 @@ score = CombinationScore(Input=occlusion, Primary="RTData")
 scores = servermanager.Fetch(score)
 rows = scripttest.table(scores, ("attribute", "rank"))
 print(rows)
-scripttest.check(sorted(rows) == [("RTData", 0.0), ("RTData_gradient", 1.0), ("RTData_occlusion", 2.0)],
+scripttest.check(sorted(rows) == [("RTData", 0.0), ("RTData_gradient", 1.0),
+                                  ("RTData_occlusion", 2.0)],
                  "every attribute once")
 matrix = servermanager.Fetch(score, idx=1)
 scripttest.check(matrix.GetNumberOfRows() == 3 and matrix.GetNumberOfColumns() == 4,

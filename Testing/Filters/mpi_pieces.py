@@ -93,7 +93,8 @@ class Pieces:
         self.score.SetInputConnection(self.occlusion.GetOutputPort())
         self.score.SetPrimary("RTData")
         for filter in (self.gradient, self.occlusion, self.score):
-            scripttest.check(filter.GetController() == controller, "global controller is the default")
+            scripttest.check(filter.GetController() == controller,
+                             "global controller is the default")
         self.score.Update()
         self.output = self.occlusion.GetOutput()
 

@@ -72,4 +72,5 @@ for proxy in (gradient, occlusion, score):
     for name in proxy.ListProperties():
         documentation = proxy.GetProperty(name).GetDocumentation()
         text = documentation.GetDescription() if documentation else None
-        scripttest.check(bool(text and text.strip()), "%s.%s is documented" % (proxy.GetXMLName(), name))
+        scripttest.check(bool(text and text.strip()),
+                         "%s.%s is documented" % (proxy.GetXMLName(), name))

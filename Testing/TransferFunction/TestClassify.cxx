@@ -46,7 +46,7 @@ vtkSmartPointer<vtkUniformGrid> Grid(int x, int y, int z)
 
 template <typename Function>
 void AddArray(vtkDataSetAttributes* data, vtkIdType count, const char* name, const Function& value,
-  vtkSmartPointer<vtkDataArray> array = vtkSmartPointer<vtkDoubleArray>::New())
+  const vtkSmartPointer<vtkDataArray>& array = vtkSmartPointer<vtkDoubleArray>::New())
 {
   array->SetName(name);
   array->SetNumberOfTuples(count);
@@ -95,7 +95,7 @@ void ExpectPassedThrough(vtkDataSet* output)
 }
 
 // Values 0..7 in every type, read as doubles.
-void CheckArray(vtkSmartPointer<vtkDataArray> array, double largest = 7)
+void CheckArray(const vtkSmartPointer<vtkDataArray>& array, double largest = 7)
 {
   auto image = Image(2, 2, 2);
   AddArray(

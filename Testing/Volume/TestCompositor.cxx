@@ -94,6 +94,7 @@ std::array<double, 3> CastRay(const vtkTFCClassifier& classifier, vtkImageData* 
       p[axis] = eye[axis] + 0.5 * (from + to) * direction[axis];
     }
     std::vector<double> values;
+    values.reserve(classifier.GetModel().Attributes.size());
     for (const auto& attribute : classifier.GetModel().Attributes)
     {
       auto* array =
@@ -101,6 +102,7 @@ std::array<double, 3> CastRay(const vtkTFCClassifier& classifier, vtkImageData* 
       values.push_back(Interpolate(array->GetPointer(0), p));
     }
     std::vector<const double*> pointers;
+    pointers.reserve(values.size());
     for (const double& value : values)
     {
       pointers.push_back(&value);

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Combined transfer functions in ParaView's Python.
 
-A combined transfer function classifies a volume by a 2D transfer function whose every region carries
-its own 1D transfer function over a third attribute (Zhou, Schott, Hansen, "Transfer Function
-Combinations", Computers & Graphics 36(6), 2012)::
+A combined transfer function classifies a volume by a 2D transfer function whose every region
+carries its own 1D transfer function over a third attribute (Zhou, Schott, Hansen, "Transfer
+Function Combinations", Computers & Graphics 36(6), 2012)::
 
     import tfc
     tf = tfc.TransferFunction("P", "TC")

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Rendering a combined transfer function in a ParaView view."""
 
+from contextlib import contextmanager
+
 from .plugin import load_plugin
 
 REPRESENTATION = "Combined Volume"
@@ -40,8 +42,12 @@ def _fill_range(source, attribute):
     array = find_array(source, attribute["array"], attribute["component"])
     if attribute.get("range") is None:
         low, high = array.GetComponentFiniteRange(attribute["component"])
-        if not low < high:
-            low, high = (low, low + 1) if low == high else (0.0, 1.0)
+        # As vtkTFCTransferFunction::ResolveRanges() does.
+        if low == high:
+            half = max(0.5, abs(low) / 2)
+            low, high = low - half, high + half
+        elif not low < high:
+            low, high = 0.0, 1.0
         attribute["range"] = [low, high]
 
 
@@ -54,21 +60,42 @@ def _prepare(source, tf):
             f"a combined transfer function renders a vtkImageData, not a {kind}; "
             "the filter 'Resample To Image' makes one"
         )
-    _fill_range(source, tf.primary)
-    _fill_range(source, tf.secondary)
+    for name, axis in (("primary", tf.primary), ("secondary", tf.secondary)):
+        if not axis:
+            raise ValueError(f"{name}: the transfer function has no {name} axis; name an array")
+        _fill_range(source, axis)
     for region in tf.regions:
         if region.tertiary_state:
             _fill_range(source, region.tertiary_state)
     return tf.to_json()
 
 
+@contextmanager
+def _traced(display):
+    """Put the properties of a display that change meanwhile into ParaView's Python trace, when one
+    is recorded. ParaView itself records the edits of its GUI only.
+    """
+    from paraview import servermanager, smtrace
+
+    item = None
+    if servermanager.vtkSMTrace.GetActiveTracer():
+        try:
+            item = smtrace.PropertiesModified(display)
+        except smtrace.Untraceable:
+            pass  # a display that was made before the recording began
+    yield
+    if item:
+        item.finalize()
+
+
 def show(source, tf, view=None, unit_distance=None, shade=None):
     """Show a source as "Combined Volume" with a transfer function and return the display.
 
     ``unit_distance`` is the length, in world units, over which the opacities of the regions hold
-    (ParaView's choice by default: about one cell); ``shade`` switches lighting by the gradient of the
-    primary attribute. Ranges that the transfer function leaves open are taken from the data. Raises
-    KeyError for an unknown array, TypeError when the source is not an image.
+    (ParaView's choice by default: about one cell); ``shade`` switches lighting by the gradient of
+    the primary attribute. Ranges that the transfer function leaves open are taken from the data.
+    Raises KeyError for an unknown array or component, TypeError when the source is not an image,
+    ValueError when an axis is missing.
     """
     from paraview import simple
 
@@ -83,11 +110,12 @@ def show(source, tf, view=None, unit_distance=None, shade=None):
             "TransferFunctionCombinations must be loaded there too"
         )
     display.SetRepresentationType(REPRESENTATION)
-    display.TransferFunction = state
-    if unit_distance is not None:
-        display.ScalarOpacityUnitDistance = unit_distance
-    if shade is not None:
-        display.Shade = 1 if shade else 0
+    with _traced(display):
+        display.TransferFunction = state
+        if unit_distance is not None:
+            display.ScalarOpacityUnitDistance = unit_distance
+        if shade is not None:
+            display.Shade = 1 if shade else 0
     return display
 
 
@@ -95,4 +123,6 @@ def apply(display, tf):
     """Give a display that :func:`show` returned an edited transfer function. The view is not
     rendered.
     """
-    display.TransferFunction = _prepare(display.Input, tf)
+    state = _prepare(display.Input, tf)
+    with _traced(display):
+        display.TransferFunction = state

@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The combined transfer function as Python objects.
 
-The objects hold the JSON state (format ``transfer-function-combination``, version 1) and nothing else;
-the plugin's own reader checks it, so a script, a state file and the GUI agree on what is valid.
+The objects hold the JSON state (format ``transfer-function-combination``, version 1) and nothing
+else; the plugin's own reader checks every edit, so a script, a state file and the GUI agree on what
+is valid. An edit that is refused raises ValueError and changes nothing.
 """
 
 import json
+import math
 
 from .colors import to_rgb
 from .vtk.vtkTFCTransferFunction import vtkTFCTransferFunction
@@ -16,8 +18,15 @@ VERSION = 1
 FALLOFFS = ("constant", "linear", "smooth", "gaussian")
 
 
+def _number(value, what):
+    number = float(value)
+    if not math.isfinite(number):
+        raise ValueError(f"{what}: expected a finite number, got {number}")
+    return number
+
+
 def _numbers(values, count, what):
-    numbers = [float(v) for v in values]
+    numbers = [_number(value, what) for value in values]
     if len(numbers) != count:
         raise ValueError(f"{what}: expected {count} numbers, got {len(numbers)}")
     return numbers
@@ -30,13 +39,31 @@ def _attribute(array, component, value_range):
     return attribute
 
 
+def _falloff(kind, width):
+    if kind not in FALLOFFS:
+        raise ValueError(f"unknown fall-off {kind!r}: one of {', '.join(FALLOFFS)}")
+    return {"type": kind, "width": 0.25 if width is None else _number(width, "width")}
+
+
 class Region:
     """One region of a combined transfer function. Made by the ``add_...`` methods of
     :class:`TransferFunction`; change it through its attributes and :meth:`tertiary`.
     """
 
-    def __init__(self, state):
+    def __init__(self, state, owner):
         self._state = state
+        self._owner = owner
+
+    def _change(self, **values):
+        """Change the state; put it back when the reader refuses it."""
+        previous = dict(self._state)
+        self._state.update(values)
+        try:
+            self._owner._check()
+        except ValueError:
+            self._state.clear()
+            self._state.update(previous)
+            raise
 
     @property
     def id(self):
@@ -50,7 +77,7 @@ class Region:
 
     @name.setter
     def name(self, name):
-        self._state["name"] = str(name)
+        self._change(name=str(name))
 
     @property
     def visible(self):
@@ -59,7 +86,7 @@ class Region:
 
     @visible.setter
     def visible(self, visible):
-        self._state["visible"] = bool(visible)
+        self._change(visible=bool(visible))
 
     @property
     def color(self):
@@ -68,7 +95,7 @@ class Region:
 
     @color.setter
     def color(self, color):
-        self._state["color"] = to_rgb(color)
+        self._change(color=to_rgb(color))
 
     @property
     def opacity(self):
@@ -77,7 +104,7 @@ class Region:
 
     @opacity.setter
     def opacity(self, opacity):
-        self._state["opacity"] = float(opacity)
+        self._change(opacity=_number(opacity, "opacity"))
 
     @property
     def shape(self):
@@ -87,18 +114,23 @@ class Region:
     def falloff(self, kind, width=None):
         """How the weight falls from the middle of the shape to its border: ``"constant"``,
         ``"linear"``, ``"smooth"`` or ``"gaussian"``, with a width in (0, 1]. Returns the region.
+
+        >>> tf = TransferFunction("P", "TC")
+        >>> tf.add_ellipse((930, 20), (12, 4)).falloff("gaussian", 2)
+        Traceback (most recent call last):
+        ...
+        ValueError: regions[0].falloff.width: expected a number in (0, 1], got 2.0
         """
-        if kind not in FALLOFFS:
-            raise ValueError(f"unknown fall-off {kind!r}: one of {', '.join(FALLOFFS)}")
-        self._state["falloff"] = {"type": kind, "width": 0.25 if width is None else float(width)}
+        self._change(falloff=_falloff(kind, width))
         return self
 
     def tertiary(self, array, opacity=None, color=None, component=0, range=None):
         """Multiply the region's opacity by a piecewise linear function of a third attribute.
 
         ``opacity`` is a list of (value, factor) with increasing values in data units and factors in
-        [0, 1]; beyond the ends the end factors hold. Two points at one value make a step. ``color``,
-        a list of (value, colour), replaces the region's colour by one that follows the attribute.
+        [0, 1]; beyond the ends the end factors hold. Two points at one value make a step.
+        ``color``, a list of (value, colour), replaces the region's colour by one that follows the
+        attribute.
         ``component`` -1 is the magnitude of a vector. ``range`` is the extent of the axis in an
         editor; left out, it is taken from the data when shown. ``tertiary(None)`` removes it.
         Returns the region.
@@ -109,15 +141,16 @@ class Region:
         [[0.0, 0.0], [8.0, 0.0], [10.0, 1.0]]
         """
         if array is None:
-            self._state["tertiary"] = None
+            self._change(tertiary=None)
             return self
         if not opacity:
             raise ValueError("a tertiary function needs at least one (value, factor) point")
         tertiary = _attribute(array, component, range)
-        tertiary["opacity"] = [_numbers(point, 2, "point of a tertiary function") for point in opacity]
+        what = "point of a tertiary function"
+        tertiary["opacity"] = [_numbers(point, 2, what) for point in opacity]
         if color is not None:
-            tertiary["color"] = [[float(value)] + to_rgb(rgb) for value, rgb in color]
-        self._state["tertiary"] = tertiary
+            tertiary["color"] = [[_number(value, what)] + to_rgb(rgb) for value, rgb in color]
+        self._change(tertiary=tertiary)
         return self
 
     @property
@@ -135,10 +168,10 @@ class Region:
 class TransferFunction:
     """A combined transfer function over two axes.
 
-    ``primary`` and ``secondary`` name point or cell arrays; ``range`` arguments are the extent of an
-    axis in data units and are taken from the data when left out. Voxels outside an axis's range are
-    in no region. ``blend`` is ``"mix"`` (order does not matter) or ``"over"`` (the first region is in
-    front).
+    ``primary`` and ``secondary`` name point or cell arrays; ``range`` arguments are the extent of
+    an axis in data units and are taken from the data when left out. Voxels outside an axis's range
+    are in no region. ``blend`` is ``"mix"`` (order does not matter) or ``"over"`` (the first region
+    is in front).
 
     >>> tf = TransferFunction("P", "TC", primary_range=(900, 1010), secondary_range=(-80, 30))
     >>> eye = tf.add_ellipse(center=(930, 20), radii=(12, 4), color="crimson", opacity=.6)
@@ -166,6 +199,7 @@ class TransferFunction:
             "blend": blend,
             "regions": [],
         }
+        self._last_id = 0
         self._check()
 
     @classmethod
@@ -180,6 +214,7 @@ class TransferFunction:
         model = vtkTFCTransferFunction()
         tf = cls.__new__(cls)
         tf._state = json.loads(_canonical(model, text))
+        tf._last_id = max((region["id"] for region in tf._state["regions"]), default=0)
         return tf
 
     @property
@@ -210,7 +245,7 @@ class TransferFunction:
     @property
     def regions(self):
         """The regions in list order."""
-        return [Region(state) for state in self._state["regions"]]
+        return [Region(state, self) for state in self._state["regions"]]
 
     def region(self, key):
         """The region with this id or name."""
@@ -222,7 +257,7 @@ class TransferFunction:
 
     def remove(self, region):
         """Remove a region, given itself, its id or its name."""
-        found = region if isinstance(region, Region) else self.region(region)
+        found = self.region(region.id if isinstance(region, Region) else region)
         self._state["regions"] = [r for r in self._state["regions"] if r["id"] != found.id]
 
     def add_ellipse(self, center, radii, angle=0, **options):
@@ -230,14 +265,14 @@ class TransferFunction:
         rotation by ``angle`` degrees, counter-clockwise in the square that the axis ranges map to.
 
         All ``add_...`` methods take ``name``, ``color`` (numbers, CSS name or ``#rrggbb``),
-        ``opacity`` (per unit distance, in [0, 1]; 1 by default), ``falloff`` (``"smooth"`` by default)
-        and its ``width`` (0.25), and ``visible``; they return the new :class:`Region`.
+        ``opacity`` (per unit distance, in [0, 1]; 1 by default), ``falloff`` (``"smooth"`` by
+        default) and its ``width`` (0.25), and ``visible``; they return the new :class:`Region`.
         """
         shape = {
             "type": "ellipse",
             "center": _numbers(center, 2, "center"),
             "radii": _numbers(radii, 2, "radii"),
-            "angle": float(angle),
+            "angle": _number(angle, "angle"),
         }
         return self._add(shape, **options)
 
@@ -247,7 +282,7 @@ class TransferFunction:
             "type": "rectangle",
             "center": _numbers(center, 2, "center"),
             "halfsize": _numbers(halfsize, 2, "halfsize"),
-            "angle": float(angle),
+            "angle": _number(angle, "angle"),
         }
         return self._add(shape, **options)
 
@@ -272,29 +307,25 @@ class TransferFunction:
         visible=True,
     ):
         # Ids are never reused, not even that of a removed region.
-        self._last_id = max(
-            [getattr(self, "_last_id", 0)] + [r["id"] for r in self._state["regions"]]
-        )
-        self._last_id += 1
-        region = Region(
-            {
-                "id": self._last_id,
-                "name": name or f"region {self._last_id}",
-                "visible": bool(visible),
-                "shape": shape,
-                "color": to_rgb(color),
-                "opacity": float(opacity),
-                "tertiary": None,
-            }
-        )
-        region.falloff(falloff, width)
-        self._state["regions"].append(region._state)
+        new_id = self._last_id + 1
+        region = {
+            "id": new_id,
+            "name": name or f"region {new_id}",
+            "visible": bool(visible),
+            "shape": shape,
+            "falloff": _falloff(falloff, width),
+            "color": to_rgb(color),
+            "opacity": _number(opacity, "opacity"),
+            "tertiary": None,
+        }
+        self._state["regions"].append(region)
         try:
             self._check()
         except ValueError:
             self._state["regions"].pop()
             raise
-        return region
+        self._last_id = new_id
+        return Region(region, self)
 
     def _check(self):
         _canonical(vtkTFCTransferFunction(), json.dumps(self._state))
@@ -307,7 +338,7 @@ class TransferFunction:
         """Write the state to a file, by custom ``NAME.tfc.json``."""
         text = self.to_json()
         with open(path, "w", encoding="utf-8") as file:
-            file.write(json.dumps(json.loads(text), indent=1) + "\n")
+            file.write(text.rstrip("\n") + "\n")
 
     def __eq__(self, other):
         return isinstance(other, TransferFunction) and self.to_json() == other.to_json()
@@ -316,7 +347,7 @@ class TransferFunction:
 
     def __repr__(self):
         count = len(self._state["regions"])
-        axes = f"{self.primary['array']} x {self.secondary['array']}"
+        axes = " x ".join(axis["array"] if axis else "?" for axis in (self.primary, self.secondary))
         return f"<TransferFunction {axes}, {self.blend}: {count} region{'' if count == 1 else 's'}>"
 
 

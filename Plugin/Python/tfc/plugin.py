@@ -10,7 +10,8 @@ NAME = "TransferFunctionCombinations"
 
 def is_loaded():
     """Whether the plugin's filters are known to the current session."""
-    from paraview import servermanager
+    # Importing paraview.simple connects to the built-in server when there is no connection.
+    from paraview import servermanager, simple  # noqa: F401
 
     manager = servermanager.ProxyManager()
     return manager.SMProxyManager.HasDefinition("filters", "CombinationScore")
@@ -29,22 +30,31 @@ def _candidates():
     yield from glob.glob(os.path.join(library, "paraview-*", "plugins", NAME, NAME + ".so"))
 
 
+def _load(path):
+    """Load the library into every process of the session."""
+    from paraview import servermanager, simple
+
+    connection = servermanager.ActiveConnection
+    if connection.IsRemote():
+        simple.LoadPlugin(path, remote=True)
+        simple.LoadPlugin(path, remote=False)
+    else:
+        # A batch program on several processes: all of them are its server.
+        simple.LoadPlugin(path, remote=connection.GetNumberOfDataPartitions() > 1)
+
+
 def load_plugin():
-    """Load the plugin into the current session, on the server too when there is one, unless it is
-    there. It is looked for in the environment variables TFC_PLUGIN (the file) and PV_PLUGIN_PATH, and
-    beside this package in an install tree. Raises RuntimeError when it is not found.
+    """Load the plugin into the current session, in all processes of the server too, unless it is
+    there. It is looked for in the environment variables TFC_PLUGIN (the file) and PV_PLUGIN_PATH,
+    and beside this package in an install tree. Raises RuntimeError when it is not found.
     """
     if is_loaded():
         return
-    from paraview import servermanager, simple
-
     tried = []
     for path in _candidates():
         tried.append(path)
         if os.path.isfile(path):
-            if servermanager.ActiveConnection and servermanager.ActiveConnection.IsRemote():
-                simple.LoadPlugin(path, remote=True)
-            simple.LoadPlugin(path, remote=False)
+            _load(path)
             if is_loaded():
                 return
     raise RuntimeError(

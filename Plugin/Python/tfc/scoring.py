@@ -9,16 +9,48 @@ from .plugin import load_plugin
 
 Score = namedtuple("Score", "attribute correlation entropy score rank")
 Score.__doc__ = """One row of the score table: the correlation is with the primary attribute, the
-entropy in bits, rank 1 is best; 0 stands for the axes themselves and for attributes without a score."""
+entropy in bits, rank 1 is best; 0 stands for the axes and for attributes without a score."""
+
+
+def _check_attribute(source, text):
+    """Raise KeyError unless ``text`` is the name of an array, or that with a component:
+    ``velocity:0`` or ``velocity:magnitude``.
+    """
+    name, colon, component = text.rpartition(":")
+    if colon and (component == "magnitude" or component.isdigit()):
+        try:
+            find_array(source, text)
+        except KeyError:
+            find_array(source, name, -1 if component == "magnitude" else int(component))
+    else:
+        find_array(source, text)
+
+
+def _collect_errors(proxy):
+    """A list that will receive the errors of a proxy's filter, where it is in this process."""
+    errors = []
+    filter_object = proxy.GetClientSideObject()
+    if filter_object:
+
+        def collect(_caller, _event, message):
+            # "ERROR: In FILE, line N\nCLASS (ADDRESS): TEXT"
+            errors.append(message.strip().split("): ", 1)[-1])
+
+        collect.CallDataType = "string0"
+        filter_object.AddObserver("ErrorEvent", collect)
+    return errors
 
 
 def score(source, primary, secondary=None, arrays=None, balance=0.4, bins=256, fill_values=()):
     """Rank the attributes of a source as tertiary attributes, best first (Eq. 3 of the paper).
 
-    ``arrays`` are the attributes to look at, by default all point arrays. ``balance`` is the a of
-    Eq. 3, in [0, 1): larger weighs low correlation with the primary attribute more, smaller weighs
-    high entropy more. ``fill_values`` are numbers that stand for missing data; NaN always does.
-    Returns a list of :class:`Score`. The axes follow with rank 0.
+    ``arrays`` are the attributes to look at, by default all point arrays with one component;
+    ``"velocity:0"`` and ``"velocity:magnitude"`` stand for one of an array with several.
+    ``balance`` is the a of Eq. 3, in [0, 1): larger weighs low correlation with the primary
+    attribute more, smaller weighs high entropy more. ``fill_values`` are numbers that stand for
+    missing data; NaN always does. Returns a list of :class:`Score`. The axes follow with rank 0.
+    Raises KeyError for an unknown array and ValueError, with the reason, when there is nothing to
+    score.
     """
     from paraview import servermanager, simple
 
@@ -26,7 +58,7 @@ def score(source, primary, secondary=None, arrays=None, balance=0.4, bins=256, f
     source.UpdatePipeline()
     for name in [primary, secondary] + list(arrays or []):
         if name is not None:
-            find_array(source, name)
+            _check_attribute(source, name)
     scores = simple.CombinationScore(registrationName="tfc.score", Input=source)
     try:
         scores.Primary = primary
@@ -39,11 +71,13 @@ def score(source, primary, secondary=None, arrays=None, balance=0.4, bins=256, f
         scores.NumberOfBins = bins
         if fill_values:
             scores.FillValues = list(fill_values)
+        errors = _collect_errors(scores)
         scores.UpdatePipeline()
-        # Every rank has the whole table.
-        table = servermanager.Fetch(scores, 0)
+        table = servermanager.Fetch(scores)
     finally:
         simple.Delete(scores)
+    if not table or table.GetNumberOfRows() == 0:
+        raise ValueError("no scores: " + (" ".join(errors) or "see the server's messages"))
     rows = []
     for row in range(table.GetNumberOfRows()):
         value = lambda column: table.GetValueByName(row, column)

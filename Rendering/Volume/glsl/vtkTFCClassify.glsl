@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
 // Attributes of one sample -> colour and opacity (Zhou, Schott, Hansen 2012, Eq. 1 and 2).
 //
 // alpha_j = opacity_j * w_j(primary, secondary) * t_j(tertiary_j) for every region j, then

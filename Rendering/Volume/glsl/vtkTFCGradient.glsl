@@ -1,13 +1,15 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
 // Gradient of the primary attribute for VTK's lighting.
 //
-// Central differences over one voxel, one-sided at the border of the texture and where a neighbour has
-// no data. A gradient is a covector: with texture coordinates t = A p + const of data coordinates p,
-// the gradient by p is transpose(A) times that by t.
+// Central differences over one voxel, one-sided at the border of the texture and where a neighbour
+// has no data. A gradient is a covector: with texture coordinates t = A p + const of data
+// coordinates p, the gradient by p is transpose(A) times that by t.
 //
 // VTK lights in one of two ways. With a single headlight it wants the gradient in data coordinates.
 // Otherwise it multiplies what it gets by in_textureToEye and takes that for the normal in eye
-// coordinates, which is not the way of a covector and tilts normals by the proportions of the block;
-// so it gets what in_textureToEye maps to the right normal.
+// coordinates, which is not the way of a covector and tilts normals by the proportions of the
+// block; so it gets what in_textureToEye maps to the right normal.
 
 mat3 g_tfcGradientToLight;
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
 // One ray as a sequence of intervals.
 //
 // The ray is cut at the multiples of the sample distance, counted from the eye, and at the ends of
@@ -58,7 +60,7 @@ void tfcBeginRay()
   g_tfcOrigin = g_rayOrigin - g_rayJitter;
 
   // VTK puts the start one step behind the entry, and depth peeling once more; from the entry on is
-  // what both mean. A segment that starts inside (behind translucent geometry) is one step off, too.
+  // what both mean. A segment that starts inside, behind translucent geometry, is one step off.
   vec3 offset = g_tfcSegmentStart - g_rayOrigin;
   float tolerance2 = 1e-6 / inverseSquare;
   vec3 twice = offset - g_rayJitter;
@@ -68,13 +70,13 @@ void tfcBeginRay()
   g_tfcEnd = dot(g_terminatePos - g_tfcOrigin, g_dirStep) * inverseSquare;
 
   // The entry lies on the proxy geometry up to rounding: give rays along a face that much.
-  const vec3 tolerance = vec3(1e-6);
   for (int axis = 0; axis < 3; ++axis)
   {
     bool along = abs(g_dirStep[axis]) < 1e-12;
     float slope = along ? 0.0 : g_dirStep[axis];
-    tfcClipHalfSpace(g_tfcOrigin[axis] - in_tfcBoxMin[axis] + (along ? tolerance[axis] : 0.0), slope);
-    tfcClipHalfSpace(in_tfcBoxMax[axis] - g_tfcOrigin[axis] + (along ? tolerance[axis] : 0.0), -slope);
+    float tolerance = along ? 1e-6 : 0.0;
+    tfcClipHalfSpace(g_tfcOrigin[axis] - in_tfcBoxMin[axis] + tolerance, slope);
+    tfcClipHalfSpace(in_tfcBoxMax[axis] - g_tfcOrigin[axis] + tolerance, -slope);
   }
   for (int i = 0; i < in_tfcClipCount; ++i)
   {

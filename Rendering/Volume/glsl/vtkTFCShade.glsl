@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
 // Colour of the sample that computeOpacity() classified last, lit by VTK.
 vec4 computeColor(vec4 attributes, float opacity)
 {

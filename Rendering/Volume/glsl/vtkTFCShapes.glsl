@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
 // Weight of a region at a point in axis units: the normalised distance d inside the shape and the
 // fall-off w(d), as Plugin/Documentation/state-format.md defines them. Zero outside.
 
@@ -19,7 +21,7 @@ float tfcSegmentDistance2(vec2 p, vec4 edge)
   return dot(nearest, nearest);
 }
 
-// d = 1 - e/E with e the distance to the nearest edge and E its largest value inside; even-odd rule.
+// d = 1 - e/E, e the distance to the nearest edge and E its largest value inside; even-odd rule.
 float tfcPolygonDistance(vec2 p, int firstEdge, int edgeCount, float inverseE)
 {
   bool inside = false;
@@ -62,7 +64,8 @@ float tfcRegionWeight(int region, vec2 p)
     // geometry: centre, cosine, sine
     vec2 inverseSize = tfcFetch(region + 2).xy;
     vec2 q = p - geometry.xy;
-    q = vec2(geometry.z * q.x + geometry.w * q.y, geometry.z * q.y - geometry.w * q.x) * inverseSize;
+    q = vec2(geometry.z * q.x + geometry.w * q.y, geometry.z * q.y - geometry.w * q.x);
+    q *= inverseSize;
     d = shape == TFC_ELLIPSE ? length(q) : max(abs(q.x), abs(q.y));
   }
   else

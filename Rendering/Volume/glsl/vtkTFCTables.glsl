@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
 // The transfer function as numbers: one RGBA float texture of 1024 texels a row, read as a list.
 // vtkTFCShaderTables writes it and documents the records.
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
 // Piecewise linear functions over a tertiary attribute: nodes (value, y...) in increasing order of
 // value, ends extended. Of two nodes at one value the later holds at the value itself and beyond.
 

@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: the Transfer Function Combinations developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""tfc.score() against the filter that it drives, and its errors."""
+import math
+
+import pictures
+import scripttest
+
+from paraview import servermanager, simple
+
+import tfc
+
+check = scripttest.check
+
+
+def same(rows, table):
+    """Whether rows are those of the table, in its order."""
+    names = tfc.Score._fields
+    return len(rows) == len(table) and all(
+        a == b or (math.isnan(a) and math.isnan(b)) for row, other in zip(rows, table)
+        for a, b in zip(row, other)) and names[0] == "attribute"
+
+
+def raises(kind, action, *words):
+    """Expect an exception whose text has all of the words."""
+    try:
+        action()
+    except kind as error:
+        text = str(error)
+        check(all(word in text for word in words), "%s: %s" % (kind.__name__, text))
+    else:
+        check(False, "expected %s with %s" % (kind.__name__, words))
+
+
+tfc.load_plugin()
+source = simple.Calculator(Input=pictures.make_source(), ResultArrayName="V", Function="coords")
+rows = tfc.score(source, primary="RTData", secondary="R")
+filtered = simple.CombinationScore(Input=source, Primary="RTData", Secondary="R")
+table = scripttest.table(servermanager.Fetch(filtered), tfc.Score._fields)
+check(same(rows, table), "the rows of the filter: %s" % (rows,))
+check(rows[0].rank == 1 and rows[0].attribute == "X", "best first")
+check({r.attribute for r in rows if r.rank == 0} == {"RTData", "R"}, "the axes are not ranked")
+
+chosen = tfc.score(source, "RTData", arrays=["V:0", "V:magnitude"], balance=0.25, bins=64)
+filtered.Secondary = "None"
+filtered.Arrays = ["V:0", "V:magnitude", "RTData"]
+filtered.Balance = 0.25
+filtered.NumberOfBins = 64
+table = scripttest.table(servermanager.Fetch(filtered), tfc.Score._fields)
+check(same(chosen, table), "components and options: %s" % (chosen,))
+
+before = tfc.score(source, "RTData", arrays=["X"])
+check(tfc.score(source, "RTData", arrays=["X"], fill_values=[10]) != before, "fill values")
+check(not simple.FindSource("tfc.score"), "nothing stays in the pipeline")
+
+raises(KeyError, lambda: tfc.score(source, "Pressure"), "Pressure", "RTData", "X")
+raises(KeyError, lambda: tfc.score(source, "RTData", arrays=["V:3"]), "3 components")
+raises(KeyError, lambda: tfc.score(source, "RTData", secondary="W:0"), "'W'")
+raises(ValueError, lambda: tfc.score(source, "RTData", balance=2), "Balance")
+raises(ValueError, lambda: tfc.score(source, "V"), "'V:0'", "magnitude")
+cells = simple.PointDatatoCellData(Input=source)
+raises(ValueError, lambda: tfc.score(cells, "RTData"), "Cell Data to Point Data")
+check(not simple.FindSource("tfc.score"), "nothing stays in the pipeline after errors")
