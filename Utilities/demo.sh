@@ -133,6 +133,6 @@ fi
 echo "== Done: pictures and states are in $output"
 
 if ((gui)); then
-  echo "== Opening ParaView"
+  echo "== Opening ParaView; where it shows its welcome window, close that to see the volume"
   exec paraview --plugins=TransferFunctionCombinations --state="$pvsm"
 fi

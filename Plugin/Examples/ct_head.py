@@ -73,10 +73,10 @@ def transfer_function_combined():
     tf = tfc.TransferFunction("HU", "HU_gradient", HU_RANGE, GRADIENT_RANGE)
     # The head holder is as dense as bone and its padding as the skin, but there is only air around.
     add_skull(tf).tertiary("HU_occlusion", [(-480, 0), (-400, 1)], range=HU_RANGE)
-    add_skin_surface(tf).tertiary("HU_occlusion", [(-700, 0), (-640, 1)], range=HU_RANGE)
+    add_skin_surface(tf).tertiary("HU_occlusion", [(-650, 0), (-600, 1)], range=HU_RANGE)
     skin = tf.add_polygon([(-150, 0), (-150, 500), (150, 300), (150, 0)],
                           name="skin", color=SKIN, opacity=0.25, falloff="smooth", width=0.1)
-    skin.tertiary("HU_occlusion", [(-700, 0), (-640, 1), (-110, 1), (-70, 0)], range=HU_RANGE)
+    skin.tertiary("HU_occlusion", [(-650, 0), (-600, 1), (-110, 1), (-70, 0)], range=HU_RANGE)
     add_brain(tf).tertiary("HU_occlusion", [(-70, 0), (-40, 1)], range=HU_RANGE)
     return tf
 
