@@ -83,6 +83,10 @@ def open_volume(path):
         raise Problem(f"{path}: ParaView has no reader for it")
     simple.RenameSource(os.path.basename(path), source)
     source.UpdatePipeline()
+    kind = source.GetDataInformation().GetDataSetTypeAsString()
+    if kind not in ("vtkImageData", "vtkUniformGrid", "vtkStructuredPoints"):
+        raise Problem(
+            f"{path}: this is a {kind}, not an image; ParaView's filter Resample To Image makes one")
     return source
 
 
@@ -103,7 +107,7 @@ def main(volume, state, folder, radius=40, eta=0.005, size=(1000, 900)):
     view.OrientationAxesVisibility = 0
     try:
         tfc.show(source, tf, view, shade=True)
-    except (KeyError, TypeError) as error:
+    except KeyError as error:
         raise Problem(f"{volume}: {error.args[0]}") from None
     view.CameraPosition = [1, 1.2, 0.8]
     view.CameraFocalPoint = [0, 0, 0]
