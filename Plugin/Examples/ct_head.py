@@ -112,6 +112,8 @@ def make_view(size):
     from paraview import simple
 
     view = simple.CreateRenderView(ViewSize=list(size))
+    # The GUI shows what is in a layout when it loads the state.
+    simple.AssignViewToLayout(view, simple.CreateLayout("Layout"))
     view.UseColorPaletteForBackground = 0
     view.Background = [0.06, 0.07, 0.09]
     view.OrientationAxesVisibility = 0

@@ -102,6 +102,8 @@ def main(volume, state, folder, radius=40, eta=0.005, size=(1000, 900)):
     source = add_computed(open_volume(volume), attributes(tf), radius, eta)
 
     view = simple.CreateRenderView(ViewSize=list(size))
+    # The GUI shows what is in a layout when it loads the state.
+    simple.AssignViewToLayout(view, simple.CreateLayout("Layout"))
     view.UseColorPaletteForBackground = 0
     view.Background = [0.06, 0.07, 0.09]
     view.OrientationAxesVisibility = 0
