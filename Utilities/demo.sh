@@ -11,11 +11,12 @@ usage: Utilities/demo.sh [OUTPUT_DIR] [--gui]
        Utilities/demo.sh [OUTPUT_DIR] --data FILE --state FILE.tfc.json
                          [--radius N] [--eta X] [--gui]
 
-Installs what is missing, builds the plugin, and leaves pictures and states in OUTPUT_DIR (./output).
+Installs what is missing, builds the plugin, and leaves pictures and states in OUTPUT_DIR
+(./output).
 
-Without --data: prints which attribute of a CT head suits best as tertiary attribute, and renders skull,
-skin and brain with a 2D transfer function alone (ct_head_2d.png) and combined with the occlusion
-(ct_head_combined.png).
+Without --data: prints which attribute of a CT head suits best as tertiary attribute, and renders
+skull, skin and brain with a 2D transfer function alone (ct_head_2d.png) and combined with the
+occlusion (ct_head_combined.png).
 
   --data FILE     render this volume instead, an image in any format that ParaView opens
   --state FILE    with this transfer function; arrays called <array>_gradient and <array>_occlusion
@@ -45,7 +46,9 @@ while (($#)); do
       ;;
     --gui) gui=1 ;;
     --data | --state | --radius | --eta)
-      (($# > 1)) && [[ -n "$2" ]] || misuse "$1 needs a value"
+      if (($# < 2)) || [[ -z "$2" ]]; then
+        misuse "$1 needs a value"
+      fi
       case "$1" in
         --data) data=$2 ;;
         --state) state=$2 ;;

@@ -4,10 +4,11 @@
 
     pvpython ct_head.py OUTPUT_DIR [VOLUME.inv3]
 
-In a CT, skin, muscle and brain have the same intensity and the same gradient magnitude, so that no
-region of the 2D domain separates them. What surrounds them differs: air around the skin, bone around
-the brain. That is what the occlusion metric measures, and as tertiary attribute it tells them apart
-inside the same 2D region. Without VOLUME the CT head of Debian's package invesalius-examples is read.
+In a CT, skin, muscle and brain have nearly the same intensity and gradient magnitude, so that no
+region of the 2D domain separates them. What surrounds them differs: air around the skin, bone
+around the brain. That is what the occlusion metric measures, and as tertiary attribute it tells
+them apart inside the same 2D region. Without VOLUME the CT head of Debian's package
+invesalius-examples is read.
 """
 
 import os
@@ -18,13 +19,14 @@ import tfc
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import invesalius  # noqa: E402
 
-# Radius: scalp and skull are 5 to 20 mm thick. 15 voxels (14 mm within a slice, 22 mm across slices)
-# reach from the scalp into the air, but hardly ever from the brain through the skull. The paper's 40
-# suit volumes of 512^3; here they reach from any point of the brain out of the head.
+# Radius: scalp and skull are 5 to 20 mm thick. 15 voxels (14 mm within a slice, 22 mm across) reach
+# from the scalp into the air, but not far from the brain through the skull. The paper's 40 would
+# reach from most of the brain out of the head: of the radii from 8 to 40, 15 separates scalp and
+# brain best.
 RADIUS = 15
 # The boundary factor pulls the mean towards 0 where the gradient is large. That presumes that 0 is
-# empty, but 0 HU is water: with the default of 0.005, the surface of the skin would get the occlusion of
-# the brain, and so would bone at the noise of this scan. 1 leaves the plain mean of the neighbourhood.
+# empty, but 0 HU is water: with the default of 0.005 the surface of the skin would get about the
+# occlusion of the brain, and the noise of the scan would show. 1 leaves the plain mean.
 BOUNDARY_PARAMETER = 1.0
 
 HU_RANGE = (-1024, 3000)
@@ -44,8 +46,9 @@ def add_skull(tf):
 
 def add_skin_surface(tf):
     """Between air and soft tissue."""
-    return tf.add_polygon([(-400, 120), (-400, 700), (-100, 700), (-20, 120)],
-                          name="skin surface", color=SKIN, opacity=0.25, falloff="smooth", width=0.2)
+    return tf.add_polygon(
+        [(-400, 120), (-400, 700), (-100, 700), (-20, 120)],
+        name="skin surface", color=SKIN, opacity=0.25, falloff="smooth", width=0.2)
 
 
 def add_brain(tf):
@@ -67,11 +70,11 @@ def transfer_function_2d():
 
 
 def transfer_function_combined():
-    """The same 2D regions, each with a function of the occlusion, in HU, as tertiary attribute. With
-    it the skin can have all of its tissue, in a 2D region that covers the brain's.
+    """The same 2D regions, each with a function of the occlusion, in HU, as tertiary attribute.
+    With it the skin can have all of its tissue, in a 2D region that covers the brain's.
     """
     tf = tfc.TransferFunction("HU", "HU_gradient", HU_RANGE, GRADIENT_RANGE)
-    # The head holder is as dense as bone and its padding as the skin, but there is only air around.
+    # The head holder is as dense as bone, its padding as the skin, but there is only air around.
     add_skull(tf).tertiary("HU_occlusion", [(-480, 0), (-400, 1)], range=HU_RANGE)
     add_skin_surface(tf).tertiary("HU_occlusion", [(-650, 0), (-600, 1)], range=HU_RANGE)
     skin = tf.add_polygon([(-150, 0), (-150, 500), (150, 300), (150, 0)],
@@ -147,7 +150,8 @@ def main(folder, volume=invesalius.CT_HEAD, size=(1000, 900)):
     invesalius.write_vti(file("ct_head.vti"), voxels, spacing, "HU")
 
     source = make_pipeline(file("ct_head.vti"))
-    print(f"-- computing gradient magnitude and occlusion of {voxels.shape[::-1]} voxels", flush=True)
+    size_text = " x ".join(str(n) for n in voxels.shape[::-1])
+    print(f"-- computing gradient magnitude and occlusion of {size_text} voxels", flush=True)
     source.UpdatePipeline()
     print("-- which attribute to combine with HU (rank 1 is best):", flush=True)
     print_scores(tfc.score(source, primary="HU"))

@@ -4,10 +4,11 @@
 
     pvpython render_volume.py VOLUME STATE.tfc.json OUTPUT_DIR [--radius N] [--eta X]
 
-Renders VOLUME, an image in any format that ParaView opens, into OUTPUT_DIR/<name of the volume>.png and
-leaves a .pvsm state beside it. Arrays of the state that are called <array>_gradient or <array>_occlusion
-and are not in the file are computed from <array>; --radius (in voxels, 40 by default) and --eta (0.005) are
-the parameters of the occlusion, which must be those that the state was made for.
+Renders VOLUME, an image in any format that ParaView opens, into OUTPUT_DIR/<its name>.png and
+leaves a .pvsm state beside it. Arrays of the state that are called <array>_gradient or
+<array>_occlusion and are not in the file are computed from <array>; --radius (in voxels, 40 by
+default) and --eta (0.005) are the parameters of the occlusion, which must be those that the state
+was made for.
 """
 
 import argparse
@@ -86,7 +87,7 @@ def open_volume(path):
     kind = source.GetDataInformation().GetDataSetTypeAsString()
     if kind not in ("vtkImageData", "vtkUniformGrid", "vtkStructuredPoints"):
         raise Problem(
-            f"{path}: this is a {kind}, not an image; ParaView's filter Resample To Image makes one")
+            f"{path}: this is a {kind}, not an image; the filter Resample To Image makes one")
     return source
 
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The CT head: the combination separates brain and skin, which the 2D transfer function cannot.
 
-The truth comes from anatomy and geometry alone, not from the attributes of the transfer functions: the
-skin is what is soft and within 5 mm of the air outside, the brain what is soft and can be reached from
-the middle of the skull through passages wider than 14 mm.
+The truth comes from anatomy and geometry, not from the gradient or the occlusion: the skin is what
+is soft and within 5 mm of the air outside, the brain what is soft and can be reached from the
+middle of the skull through passages wider than 14 mm.
 """
 import os
 import sys

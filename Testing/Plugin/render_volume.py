@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: the Transfer Function Combinations developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The example that renders any volume: computed attributes, pictures, and what it says about mistakes."""
+"""The example that renders any volume: computed attributes, pictures, and messages."""
 import os
 import sys
 import tempfile
@@ -39,7 +39,8 @@ with tempfile.TemporaryDirectory() as folder:
     tf.save(path("ball.tfc.json"))
     state = path("ball.tfc.json")
 
-    render_volume.main(path("ball.vti"), state, path("new/folder"), radius=4, eta=1, size=(200, 150))
+    render_volume.main(path("ball.vti"), state, path("new/folder"), radius=4, eta=1,
+                       size=(200, 150))
     for name in ("ball.png", "ball.pvsm"):
         scripttest.check(os.path.getsize(path("new/folder/" + name)) > 1000, name + " was written")
     from vtkmodules.util.numpy_support import vtk_to_numpy
