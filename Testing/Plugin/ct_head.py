@@ -28,7 +28,6 @@ if not os.path.exists(invesalius.CT_HEAD):
 
 scripttest.load_plugin(globals())
 from paraview import servermanager
-from paraview.simple import ClassifyVolume
 
 voxels, spacing = invesalius.read(invesalius.CT_HEAD)
 scripttest.check(voxels.shape == (108, 256, 256) and spacing[2] == 1.5, "size and spacing")
