@@ -109,9 +109,11 @@ def main(volume, state, folder, radius=40, eta=0.005, size=(1000, 900)):
     view.Background = [0.06, 0.07, 0.09]
     view.OrientationAxesVisibility = 0
     try:
-        tfc.show(source, tf, view, shade=True)
+        display = tfc.show(source, tf, view, shade=True)
     except KeyError as error:
         raise Problem(f"{volume}: {error.args[0]}") from None
+    display.Ambient = 0.25
+    display.Diffuse = 0.85
     view.CameraPosition = [1, 1.2, 0.8]
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 0, 1]
