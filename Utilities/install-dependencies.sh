@@ -110,6 +110,6 @@ if ((${#missing[@]})); then
 fi
 if ((demo)) && [[ ! -e "$ct_head" ]]; then
   echo "== Dependencies: unpacking the CT head, which this system's dpkg configuration left out"
-  apt_install --reinstall -o DPkg::Options::="--path-include=${ct_head%/*}/*" invesalius-examples
+  apt_install --reinstall -o DPkg::Options::="--path-include=/usr/share/doc/invesalius-examples*" invesalius-examples
 fi
 echo "== Dependencies: done"
