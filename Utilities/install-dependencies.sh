@@ -110,6 +110,7 @@ if ((${#missing[@]})); then
 fi
 if ((demo)) && [[ ! -e "$ct_head" ]]; then
   echo "== Dependencies: unpacking the CT head, which this system's dpkg configuration left out"
-  apt_install --reinstall -o DPkg::Options::="--path-include=/usr/share/doc/invesalius-examples*" invesalius-examples
+  apt_install --reinstall invesalius-examples \
+    -o DPkg::Options::="--path-include=/usr/share/doc/invesalius-examples*"
 fi
 echo "== Dependencies: done"
