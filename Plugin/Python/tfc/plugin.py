@@ -48,7 +48,12 @@ def load_plugin():
     there. It is looked for in the environment variables TFC_PLUGIN (the file) and PV_PLUGIN_PATH,
     and beside this package in an install tree. Raises RuntimeError when it is not found.
     """
+    from paraview import simple
+
     if is_loaded():
+        # By someone else, perhaps into another namespace only: LoadPlugin(path, ns=globals()).
+        if not hasattr(simple, "CombinationScore"):
+            simple._add_functions(vars(simple))
         return
     tried = []
     for path in _candidates():
