@@ -109,31 +109,29 @@ private:
 void WriteRegion(const vtkTFCCompiledRegion& region,
   const std::vector<vtkTFCStoredAttribute>& stored, Texel* texels, Appender& appender)
 {
-  texels[0] = MakeTexel(static_cast<int>(region.Shape), static_cast<int>(region.Falloff),
-    region.Width, region.Opacity);
+  texels[0] = MakeTexel(static_cast<int>(region.Shape) + 4 * static_cast<int>(region.Falloff),
+    region.Width, region.Opacity, 0);
+  texels[2] = MakeTexel(0, 0, -1, 0);
+  texels[3] = MakeTexel(region.Color[0], region.Color[1], region.Color[2], 0);
   if (region.Shape == vtkTFCShapeType::Ellipse || region.Shape == vtkTFCShapeType::Rectangle)
   {
     texels[1] = MakeTexel(region.Center[0], region.Center[1], region.Cosine, region.Sine);
-    texels[2] = MakeTexel(1.0 / region.HalfSize[0], 1.0 / region.HalfSize[1]);
+    texels[2][0] = static_cast<float>(1.0 / region.HalfSize[0]);
+    texels[2][1] = static_cast<float>(1.0 / region.HalfSize[1]);
   }
   else
   {
     texels[1] = MakeTexel(appender.Edges(region.Points), static_cast<double>(region.Points.size()),
       1.0 / region.MaximumEdgeDistance);
   }
-  texels[3] = MakeTexel(-1);
-  texels[4] = MakeTexel(region.Color[0], region.Color[1], region.Color[2]);
-  texels[5] = MakeTexel(0);
   if (region.Tertiary >= 0)
   {
     const vtkTFCStoredAttribute& attribute = stored[region.Tertiary];
-    texels[3] = MakeTexel(attribute.Channel, appender.Nodes(region.TertiaryOpacity, attribute),
-      static_cast<double>(region.TertiaryOpacity.size()));
-    if (!region.TertiaryColor.empty())
-    {
-      texels[5] = MakeTexel(appender.Nodes(region.TertiaryColor, attribute),
-        static_cast<double>(region.TertiaryColor.size()));
-    }
+    texels[2][2] = static_cast<float>(attribute.Channel);
+    texels[2][3] = static_cast<float>(appender.Nodes(region.TertiaryOpacity, attribute));
+    texels[3][3] = static_cast<float>(region.TertiaryOpacity.size());
+    appender.Nodes(region.TertiaryColor, attribute);
+    texels[0][3] = static_cast<float>(region.TertiaryColor.size());
   }
 }
 

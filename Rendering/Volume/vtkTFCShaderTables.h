@@ -15,16 +15,14 @@
  * number of regions that overlap there, not their total number
  * - candidates: texel index of a region, four to a texel; in list order within a cell
  * - regions, RegionTexels each:
- *   [0] shape, fall-off, width, opacity
+ *   [0] shape + 4 * fall-off, width, opacity, number of colour nodes (0: constant colour)
  *   [1] ellipse, rectangle: centre x, y, cosine, sine; triangle, polygon: first edge, edges, 1/E
- *   [2] ellipse, rectangle: 1/half size x, y
- *   [3] tertiary channel (-1: none), first opacity node, number of nodes
- *   [4] colour
- *   [5] first colour node, number of nodes (0: constant colour)
+ *   [2] ellipse, rectangle: 1/half size x, y; all: tertiary channel (-1: none), first opacity node
+ *   [3] colour, number of opacity nodes; the colour nodes follow the opacity nodes
  * - edges (x0, y0, x1, y1) and nodes (value, y...) of the regions
  *
  * Axis positions are in axis units, tertiary values in stored units (see vtkTFCAttributePacker).
- * Size: 16 bytes a texel; GridSize^2 + 6 per region + edges + nodes + candidates texels, e.g. 270
+ * Size: 16 bytes a texel; GridSize^2 + 4 per region + edges + nodes + candidates texels, e.g. 270
  * KB for 8 simple regions.
  */
 
@@ -49,7 +47,7 @@ struct vtkTFCStoredAttribute
 struct VTKTFCVOLUME_EXPORT vtkTFCShaderTables
 {
   static constexpr int GridSize = 128;
-  static constexpr int RegionTexels = 6;
+  static constexpr int RegionTexels = 4;
   static constexpr int RowLength = 1024;
 
   /// Padded to whole rows of RowLength texels.

@@ -160,8 +160,10 @@ TEST_F(Edits, AThousandRegionsRender)
   std::string regions;
   for (int i = 0; i < 1000; ++i)
   {
-    const double x = (i % 32 + 0.5) / 32;
-    const double y = (i / 32 + 0.5) / 32;
+    const int column = i % 32;
+    const int row = i / 32;
+    const double x = (column + 0.5) / 32;
+    const double y = (row + 0.5) / 32;
     regions += (i ? ", " : "") + std::string(R"({"id": )") + std::to_string(i + 1) +
       R"(, "shape": {"type": "ellipse", "center": [)" + std::to_string(x) + ", " +
       std::to_string(y) + R"(], "radii": [0.02, 0.02]}, "opacity": 1})";

@@ -33,23 +33,31 @@ vec4 tfcClassify(vec4 attributes)
   for (int i = 0; i < candidates.y; ++i)
   {
     int region = tfcCandidateRegion(candidates.x + i);
-    float weight = tfcRegionWeight(region, p);
+    vec4 head = tfcFetch(region);
+    vec4 size = tfcFetch(region + 2); // and tertiary channel or -1, first opacity node
+    float weight = tfcRegionWeight(head, tfcFetch(region + 1), size.xy, p);
     if (weight <= 0.0)
     {
       continue;
     }
-    vec4 tertiary = tfcFetch(region + 3);  // channel or -1, first opacity node, count
-    float v = attributes[max(int(tertiary.x), 0)];
-    float alpha = tfcFetch(region).w * weight * tfcTertiaryOpacity(tertiary, v);
+    vec4 color = tfcFetch(region + 3); // and number of opacity nodes
+    float alpha = head.z * weight;
+    if (size.z >= 0.0)
+    {
+      float v = attributes[int(size.z)];
+      int nodes = int(color.w);
+      alpha *= tfcTertiaryOpacity(int(size.w), nodes, v);
+      if (alpha > 0.0 && head.w > 0.0)
+      {
+        color.rgb = tfcPiecewiseLinear(int(size.w) + nodes, int(head.w), v);
+      }
+    }
     if (alpha <= 0.0)
     {
       continue;
     }
-    vec4 colors = tfcFetch(region + 5);    // first colour node, count
-    vec3 color = colors.y > 0.0 ? tfcPiecewiseLinear(int(colors.x), int(colors.y), v)
-                                : tfcFetch(region + 4).rgb;
     float contribution = in_tfcBlendOver != 0 ? transparency * alpha : alpha;
-    colorSum += contribution * color;
+    colorSum += contribution * color.rgb;
     alphaSum += contribution;
     transparency *= 1.0 - alpha;
   }

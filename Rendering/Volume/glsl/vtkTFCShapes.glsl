@@ -53,16 +53,14 @@ float tfcFalloff(int type, float width, float d)
   return exp(-d * d / (2.0 * width * width)); // gaussian
 }
 
-float tfcRegionWeight(int region, vec2 p)
+// head, geometry and size are the first three texels of a region (see vtkTFCShaderTables.h).
+float tfcRegionWeight(vec4 head, vec4 geometry, vec2 inverseSize, vec2 p)
 {
-  vec4 head = tfcFetch(region);      // shape, fall-off, width, opacity
-  vec4 geometry = tfcFetch(region + 1);
   float d;
-  int shape = int(head.x);
+  int shape = int(head.x) & 3;
   if (shape == TFC_ELLIPSE || shape == TFC_RECTANGLE)
   {
     // geometry: centre, cosine, sine
-    vec2 inverseSize = tfcFetch(region + 2).xy;
     vec2 q = p - geometry.xy;
     q = vec2(geometry.z * q.x + geometry.w * q.y, geometry.z * q.y - geometry.w * q.x);
     q *= inverseSize;
@@ -73,5 +71,5 @@ float tfcRegionWeight(int region, vec2 p)
     // geometry: first edge, number of edges, 1/E
     d = tfcPolygonDistance(p, int(geometry.x), int(geometry.y), geometry.z);
   }
-  return d <= 1.0 ? tfcFalloff(int(head.y), head.z, d) : 0.0;
+  return d <= 1.0 ? tfcFalloff(int(head.x) >> 2, head.y, d) : 0.0;
 }

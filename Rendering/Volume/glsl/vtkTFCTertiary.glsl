@@ -36,11 +36,7 @@ vec3 tfcPiecewiseLinear(int firstNode, int count, float v)
 }
 
 // Opacity factor t of a region; 0 where the tertiary value is NaN.
-float tfcTertiaryOpacity(vec4 tertiary, float v)
+float tfcTertiaryOpacity(int firstNode, int count, float v)
 {
-  if (tertiary.x < 0.0)
-  {
-    return 1.0; // no tertiary function
-  }
-  return (v <= 0.0 || v > 0.0) ? tfcPiecewiseLinear(int(tertiary.y), int(tertiary.z), v).x : 0.0;
+  return (v <= 0.0 || v > 0.0) ? tfcPiecewiseLinear(firstNode, count, v).x : 0.0;
 }
