@@ -58,6 +58,17 @@ def check(condition, what):
     print("ok: " + what)
 
 
+def raises(kind, action, *words):
+    """Expect an exception whose text has all of the words."""
+    try:
+        action()
+    except kind as error:
+        text = str(error)
+        check(all(word in text for word in words), "%s: %s" % (kind.__name__, text))
+    else:
+        check(False, "expected %s with %s" % (kind.__name__, words))
+
+
 def check_close(values, expected, tolerance, what):
     """Largest difference relative to the largest expected magnitude; NaN must match NaN."""
     import numpy as np

@@ -10,17 +10,7 @@ import scripttest
 import tfc
 
 check = scripttest.check
-
-
-def raises(kind, action, *words):
-    """Expect an exception whose text has all of the words."""
-    try:
-        action()
-    except kind as error:
-        text = str(error)
-        check(all(word in text for word in words), "%s: %s" % (kind.__name__, text))
-    else:
-        check(False, "expected %s with %s" % (kind.__name__, words))
+raises = scripttest.raises
 
 
 def make():

@@ -11,6 +11,7 @@ from paraview import servermanager, simple
 import tfc
 
 check = scripttest.check
+raises = scripttest.raises
 
 
 def same(rows, table):
@@ -19,17 +20,6 @@ def same(rows, table):
     return len(rows) == len(table) and all(
         a == b or (math.isnan(a) and math.isnan(b)) for row, other in zip(rows, table)
         for a, b in zip(row, other)) and names[0] == "attribute"
-
-
-def raises(kind, action, *words):
-    """Expect an exception whose text has all of the words."""
-    try:
-        action()
-    except kind as error:
-        text = str(error)
-        check(all(word in text for word in words), "%s: %s" % (kind.__name__, text))
-    else:
-        check(False, "expected %s with %s" % (kind.__name__, words))
 
 
 tfc.load_plugin()

@@ -65,6 +65,23 @@ protected:
       << "at " << x << ", " << y << " for length " << length;
   }
 
+  // A plane across the volume at height z, for x up to 15.
+  void AddBlackPlane(double z, double opacity)
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(-50, -50, z);
+    plane->SetPoint1(15, -50, z);
+    plane->SetPoint2(-50, 80, z);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(plane->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(0, 0, 0);
+    actor->GetProperty()->SetOpacity(opacity);
+    actor->GetProperty()->LightingOff();
+    this->Scene.Renderer->AddActor(actor);
+  }
+
   VolumeScene Scene;
   vtkSmartPointer<vtkImageData> Image;
 };
@@ -106,17 +123,7 @@ TEST_F(Fog, AnisotropicSpacing)
 
 TEST_F(Fog, OpaqueGeometryHidesWhatIsBehind)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-50, -50, 7.3);
-  plane->SetPoint1(15, -50, 7.3);
-  plane->SetPoint2(-50, 80, 7.3);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(plane->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0, 0, 0);
-  actor->GetProperty()->LightingOff();
-  this->Scene.Renderer->AddActor(actor);
+  this->AddBlackPlane(7.3, 1.0);
   const Picture picture = this->Scene.Render();
   this->ExpectLength(picture, 5, 12, 20 - 7.3);
   this->ExpectLength(picture, 25, 12, 20);
@@ -124,18 +131,7 @@ TEST_F(Fog, OpaqueGeometryHidesWhatIsBehind)
 
 TEST_F(Fog, DepthPeelingOfVolumesKeepsTheLength)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-50, -50, 7.3);
-  plane->SetPoint1(15, -50, 7.3);
-  plane->SetPoint2(-50, 80, 7.3);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(plane->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0, 0, 0);
-  actor->GetProperty()->SetOpacity(0.5);
-  actor->GetProperty()->LightingOff();
-  this->Scene.Renderer->AddActor(actor);
+  this->AddBlackPlane(7.3, 0.5);
   this->Scene.Window->SetAlphaBitPlanes(1);
   this->Scene.Renderer->SetUseDepthPeeling(1);
   this->Scene.Renderer->SetUseDepthPeelingForVolumes(true);
