@@ -326,6 +326,20 @@ TEST_F(Fog, TwoBlocksThatShareAFaceAreSeamless)
   EXPECT_LE(Compare(whole, this->Scene.Render()).Largest, 1);
 }
 
+TEST_F(Fog, InteractionIsCoarserAndKeepsTheOpacity)
+{
+  this->Scene.Window->SetDesiredUpdateRate(1000.0); // more than any machine does: coarsest
+  Picture picture;
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    picture = this->Scene.Render();
+  }
+  EXPECT_NEAR(this->At(picture, 15, 12), FogValue(20), 2.0);
+  EXPECT_NEAR(this->At(picture, 6, 6), FogValue(20), 2.0);
+  this->Scene.Window->SetDesiredUpdateRate(0.0001);
+  this->ExpectLength(this->Scene.Render(), 15, 12, 20);
+}
+
 TEST(ScalarTypes, AllGiveThePictureOfDouble)
 {
   VolumeScene scene(Pixels);
