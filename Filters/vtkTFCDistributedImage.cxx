@@ -135,7 +135,7 @@ Extent GetUnflagged(const Extent& extent, vtkUnsignedCharArray* ghosts, unsigned
 }
 
 //------------------------------------------------------------------------------
-Extent GetInnerExtent(vtkDataSet* data, const Extent& points, int association)
+Extent FindInnerExtent(vtkDataSet* data, const Extent& points, int association)
 {
   if (IsEmpty(points))
   {
@@ -184,7 +184,7 @@ vtkTFCDistributedImage::vtkTFCDistributedImage(vtkDataSet* data, int association
   const Extent local = IsEmpty(points)                      ? EmptyExtent
     : association == vtkDataObject::FIELD_ASSOCIATION_CELLS ? ToCells(points)
                                                             : points;
-  const Extent inner = GetInnerExtent(data, points, association);
+  const Extent inner = FindInnerExtent(data, points, association);
   this->Local.assign(this->NumberOfRanks, local);
   this->Inner.assign(this->NumberOfRanks, inner);
   if (this->NumberOfRanks > 1)

@@ -53,9 +53,11 @@ public:
 
   ///@{
   /**
-   * Lattice extents: the samples of this process with ghost layers, and those of all processes.
+   * Lattice extents: the samples of this process with ghost layers, without them, and those of all
+   * processes.
    */
   const Extent& GetLocalExtent() const { return this->Local[this->Rank]; }
+  const Extent& GetInnerExtent() const { return this->Inner[this->Rank]; }
   const Extent& GetWholeExtent() const { return this->Whole; }
   ///@}
 

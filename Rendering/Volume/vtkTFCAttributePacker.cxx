@@ -3,10 +3,12 @@
 #include "vtkTFCAttributePacker.h"
 
 #include "vtkTFCAttributeReader.h"
+#include "vtkTFCDistributedImage.h"
 #include "vtkTFCThreads.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -56,56 +58,6 @@ std::string MakeFingerprint(vtkImageData* source, const std::vector<vtkTFCAttrib
     key << attribute.Component << ' ';
   }
   return key.str();
-}
-
-//------------------------------------------------------------------------------
-// Point extent of the cells that are not duplicates of another rank's.
-void FindOwnedExtent(vtkImageData* source, int owned[6])
-{
-  const int* extent = source->GetExtent();
-  std::copy(extent, extent + 6, owned);
-  vtkUnsignedCharArray* ghosts = source->GetCellGhostArray();
-  if (!ghosts || ghosts->GetNumberOfTuples() == 0)
-  {
-    return;
-  }
-  // Cells along each axis; an axis with one layer of points has one layer of (flat) cells.
-  int cells[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    cells[axis] = std::max(1, extent[2 * axis + 1] - extent[2 * axis]);
-  }
-  int low[3] = { cells[0], cells[1], cells[2] };
-  int high[3] = { -1, -1, -1 };
-  const unsigned char* ghost = ghosts->GetPointer(0);
-  for (int k = 0; k < cells[2]; ++k)
-  {
-    for (int j = 0; j < cells[1]; ++j)
-    {
-      for (int i = 0; i < cells[0]; ++i, ++ghost)
-      {
-        if (!(*ghost & vtkDataSetAttributes::DUPLICATECELL))
-        {
-          const int ijk[3] = { i, j, k };
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            low[axis] = std::min(low[axis], ijk[axis]);
-            high[axis] = std::max(high[axis], ijk[axis]);
-          }
-        }
-      }
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int last = extent[2 * axis + 1];
-    owned[2 * axis] = extent[2 * axis] + low[axis];
-    owned[2 * axis + 1] = std::min(last, extent[2 * axis] + high[axis] + 1);
-    if (high[axis] < 0)
-    {
-      owned[2 * axis + 1] = owned[2 * axis] - 1; // nothing is owned
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -185,7 +137,9 @@ void vtkTFCAttributePacker::CopyGeometry(vtkImageData* source)
   source->GetExtent(extent);
   source->GetOrigin(origin);
   source->GetSpacing(spacing);
-  FindOwnedExtent(source, this->OwnedExtent);
+  // Without a controller: what this block holds besides ghosts needs nobody else.
+  const vtkTFCDistributedImage block(source, vtkDataObject::FIELD_ASSOCIATION_POINTS, nullptr);
+  std::copy(block.GetInnerExtent().begin(), block.GetInnerExtent().end(), this->OwnedExtent);
 
   // A layer needs a thickness to be seen: the spacing along its axis, or where that is zero (some
   // 2D files) the largest of the others.
@@ -327,7 +281,8 @@ bool vtkTFCAttributePacker::Update(vtkImageData* source,
     }
     this->Image->GetPointData()->SetScalars(array);
     vtkUnsignedCharArray* ghosts = source->GetCellGhostArray();
-    if (ghosts && source->HasAnyBlankCells())
+    if (ghosts && ghosts->GetNumberOfTuples() == source->GetNumberOfCells() &&
+      source->HasAnyBlankCells())
     {
       vtkNew<vtkUnsignedCharArray> hidden;
       hidden->SetName(vtkDataSetAttributes::GhostArrayName());

@@ -207,6 +207,22 @@ TEST(GradientMagnitude, InputIsPassedAndUnchanged)
   EXPECT_EQ(image->GetPointData()->GetNumberOfArrays(), 2);
 }
 
+TEST(GradientMagnitude, AnEmptyArrayNameStandsForTheActiveScalars)
+{
+  const auto image =
+    MakeVolume<vtkFloatArray>(6, 5, 4, [](int x, int, int) { return static_cast<float>(3 * x); });
+  image->GetPointData()->SetActiveScalars("a");
+  vtkNew<vtkTFCGradientMagnitude> filter;
+  filter->SetInputDataObject(image);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_NONE, "");
+  filter->Update();
+  vtkDataArray* result = vtkImageData::SafeDownCast(filter->GetOutputDataObject(0))
+                           ->GetPointData()
+                           ->GetArray("a_gradient");
+  ASSERT_NE(result, nullptr);
+  EXPECT_FLOAT_EQ(result->GetComponent(40, 0), 3.0F);
+}
+
 TEST(GradientMagnitude, DoesNotDependOnThreads)
 {
   const auto image = MakeVolume<vtkFloatArray>(61, 40, 33,
