@@ -3,6 +3,7 @@
 #include "vtkTFCGradientMagnitude.h"
 
 #include "Kernels/TFCGradient.h"
+#include "vtkTFCSimd.h"
 #include "vtkTFCThreads.h"
 
 #include "vtkObjectFactory.h"
@@ -35,25 +36,26 @@ bool vtkTFCGradientMagnitude::ComputeProperties(const Field& field,
   const tfc::Index height = field.End[1] - field.Begin[1];
   const tfc::Index rows = height * (field.End[2] - field.Begin[2]);
   return vtkTFCThreads::ForWithProgress(0, rows, 64, this, 0.15, 1.,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (tfc::Index row = begin; row < end; ++row)
+    vtkTFCSimd::Vectorize(
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const tfc::Index y = field.Begin[1] + row % height, z = field.Begin[2] + row / height;
-        float* out = outputs[0] + row * width;
-        if (field.HasInvalid)
+        for (tfc::Index row = begin; row < end; ++row)
         {
-          tfc::GradientSquaredRow<true>(field.Values, field.Size, y, z, field.Begin[0],
-            field.End[0], weights, out);
+          const tfc::Index y = field.Begin[1] + row % height, z = field.Begin[2] + row / height;
+          float* out = outputs[0] + row * width;
+          if (field.HasInvalid)
+          {
+            tfc::GradientSquaredRow<true>(field.Values, field.Size, y, z, field.Begin[0],
+              field.End[0], weights, out);
+          }
+          else
+          {
+            tfc::GradientSquaredRow<false>(field.Values, field.Size, y, z, field.Begin[0],
+              field.End[0], weights, out);
+          }
+          tfc::RootRow(out, width, scale);
         }
-        else
-        {
-          tfc::GradientSquaredRow<false>(field.Values, field.Size, y, z, field.Begin[0],
-            field.End[0], weights, out);
-        }
-        tfc::RootRow(out, width, scale);
-      }
-    });
+      }));
 }
 
 //------------------------------------------------------------------------------

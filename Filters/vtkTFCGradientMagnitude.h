@@ -28,7 +28,7 @@ protected:
   vtkTFCGradientMagnitude() = default;
   ~vtkTFCGradientMagnitude() override = default;
 
-  int GetHaloWidth() const override { return 1; }
+  int GetHaloWidth(const Field&) const override { return 1; }
   std::vector<std::string> GetSuffixes() const override { return { "_gradient" }; }
   bool ComputeProperties(const Field& field, const std::vector<float*>& outputs) override;
 

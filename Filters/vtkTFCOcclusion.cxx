@@ -4,6 +4,7 @@
 
 #include "Kernels/TFCOcclusion.h"
 #include "vtkTFCLargeBuffer.h"
+#include "vtkTFCSimd.h"
 #include "vtkTFCThreads.h"
 
 #include "vtkObjectFactory.h"
@@ -40,22 +41,23 @@ bool vtkTFCOcclusion::ComputeProperties(const Field& field, const std::vector<fl
     validity = vtkTFCLargeBuffer::Allocate(box.GetTemporarySize());
   }
   bool done = vtkTFCThreads::ForWithProgress(0, field.Size[2], 1, this, 0.15, 0.6,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      tfc::BoxSum::Workspace work;
-      for (vtkIdType z = begin; z < end; ++z)
+    vtkTFCSimd::Vectorize(
+      [&](vtkIdType begin, vtkIdType end)
       {
-        if (validity)
+        tfc::BoxSum::Workspace work;
+        for (vtkIdType z = begin; z < end; ++z)
         {
-          box.SumSlice<tfc::BoxTerm::ValidValue>(field.Values, z, sums.get(), work);
-          box.SumSlice<tfc::BoxTerm::Validity>(field.Values, z, validity.get(), work);
+          if (validity)
+          {
+            box.SumSlice<tfc::BoxTerm::ValidValue>(field.Values, z, sums.get(), work);
+            box.SumSlice<tfc::BoxTerm::Validity>(field.Values, z, validity.get(), work);
+          }
+          else
+          {
+            box.SumSlice<tfc::BoxTerm::Value>(field.Values, z, sums.get(), work);
+          }
         }
-        else
-        {
-          box.SumSlice<tfc::BoxTerm::Value>(field.Values, z, sums.get(), work);
-        }
-      }
-    });
+      }));
   if (!done)
   {
     return false;
@@ -68,24 +70,25 @@ bool vtkTFCOcclusion::ComputeProperties(const Field& field, const std::vector<fl
   constexpr tfc::Index tileRows = 8;
   const tfc::Index tiles = (height + tileRows - 1) / tileRows;
   return vtkTFCThreads::ForWithProgress(0, tiles, 1, this, 0.6, 1.,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      tfc::BoxSum::Workspace work;
-      for (tfc::Index tile = begin; tile < end; ++tile)
+    vtkTFCSimd::Vectorize(
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const tfc::Index y0 = tile * tileRows, y1 = std::min(height, y0 + tileRows);
-        if (validity)
+        tfc::BoxSum::Workspace work;
+        for (tfc::Index tile = begin; tile < end; ++tile)
         {
-          tfc::OcclusionTile<true>(box, field.Values, field.Size, field.Begin, field.End, weight,
-            sums.get(), validity.get(), y0, y1, work, outputs[0]);
+          const tfc::Index y0 = tile * tileRows, y1 = std::min(height, y0 + tileRows);
+          if (validity)
+          {
+            tfc::OcclusionTile<true>(box, field.Values, field.Size, field.Begin, field.End, weight,
+              sums.get(), validity.get(), y0, y1, work, outputs[0]);
+          }
+          else
+          {
+            tfc::OcclusionTile<false>(box, field.Values, field.Size, field.Begin, field.End, weight,
+              sums.get(), nullptr, y0, y1, work, outputs[0]);
+          }
         }
-        else
-        {
-          tfc::OcclusionTile<false>(box, field.Values, field.Size, field.Begin, field.End, weight,
-            sums.get(), nullptr, y0, y1, work, outputs[0]);
-        }
-      }
-    });
+      }));
 }
 
 //------------------------------------------------------------------------------

@@ -52,7 +52,7 @@ protected:
   ~vtkTFCOcclusion() override = default;
 
   std::string CheckParameters() const override;
-  int GetHaloWidth() const override { return this->Radius; }
+  int GetHaloWidth(const Field&) const override { return this->Radius; }
   std::vector<std::string> GetSuffixes() const override { return { "_occlusion" }; }
   bool ComputeProperties(const Field& field, const std::vector<float*>& outputs) override;
 

@@ -4,8 +4,8 @@
 
 #include "vtkTFCDistributedImage.h"
 #include "vtkTFCLargeBuffer.h"
+#include "vtkTFCLocalSamples.h"
 #include "vtkTFCSamples.h"
-#include "vtkTFCThreads.h"
 
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
@@ -20,185 +20,19 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
+#include "vtksys/SystemInformation.hxx"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdlib>
 #include <memory>
+#include <new>
+#include <sstream>
 
 vtkCxxSetObjectMacro(vtkTFCPropertyFilter, Controller, vtkMultiProcessController);
 
 namespace
 {
-constexpr vtkIdType BlockSize = 65536;
-
-// Half of the largest float: the difference of two valid samples is finite.
-constexpr float LargestValid = std::numeric_limits<float>::max() / 2;
-
-//------------------------------------------------------------------------------
-/**
- * What one look at the samples tells.
- */
-struct Survey
-{
-  float Minimum = std::numeric_limits<float>::infinity();
-  float Maximum = -std::numeric_limits<float>::infinity();
-  bool HasNaN = false;
-  bool HasOther = false; // invalid samples that are not NaN yet
-
-  void Add(const Survey& other)
-  {
-    this->Minimum = std::min(this->Minimum, other.Minimum);
-    this->Maximum = std::max(this->Maximum, other.Maximum);
-    this->HasNaN = this->HasNaN || other.HasNaN;
-    this->HasOther = this->HasOther || other.HasOther;
-  }
-};
-
-//------------------------------------------------------------------------------
-Survey Look(const float* values, vtkIdType count)
-{
-  // Independent lanes instead of one chain of comparisons.
-  constexpr int width = 16;
-  float low[width], high[width];
-  int nan[width] = {}, other[width] = {};
-  Survey result;
-  std::fill_n(low, width, result.Minimum);
-  std::fill_n(high, width, result.Maximum);
-  const auto look = [&](int lane, float v)
-  {
-    const bool valid = std::fabs(v) <= LargestValid;
-    const float forLow = valid ? v : std::numeric_limits<float>::infinity();
-    const float forHigh = valid ? v : -std::numeric_limits<float>::infinity();
-    low[lane] = forLow < low[lane] ? forLow : low[lane];
-    high[lane] = forHigh > high[lane] ? forHigh : high[lane];
-    nan[lane] |= v != v;
-    other[lane] |= !valid & (v == v);
-  };
-  vtkIdType i = 0;
-  for (; i + width <= count; i += width)
-  {
-    for (int lane = 0; lane < width; ++lane)
-    {
-      look(lane, values[i + lane]);
-    }
-  }
-  for (; i < count; ++i)
-  {
-    look(0, values[i]);
-  }
-  for (int lane = 0; lane < width; ++lane)
-  {
-    result.Minimum = std::min(result.Minimum, low[lane]);
-    result.Maximum = std::max(result.Maximum, high[lane]);
-    result.HasNaN = result.HasNaN || nan[lane];
-    result.HasOther = result.HasOther || other[lane];
-  }
-  return result;
-}
-
-//------------------------------------------------------------------------------
-/**
- * Visits the samples in blocks: body(first, count) returns a Survey.
- */
-template <typename Body>
-bool SurveyBlocks(vtkIdType count, vtkAlgorithm* owner, double from, double to, Survey& total,
-  Body&& body)
-{
-  const vtkIdType blocks = (count + BlockSize - 1) / BlockSize;
-  std::vector<Survey> surveys(static_cast<size_t>(blocks));
-  const bool done = vtkTFCThreads::ForWithProgress(0, blocks, 1, owner, from, to,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType block = begin; block < end; ++block)
-      {
-        const vtkIdType first = block * BlockSize;
-        surveys[block] = body(first, std::min(BlockSize, count - first));
-      }
-    });
-  for (const Survey& survey : surveys)
-  {
-    total.Add(survey);
-  }
-  return done;
-}
-
-//------------------------------------------------------------------------------
-/**
- * The samples of this process as floats, NaN where invalid: the array itself where possible.
- */
-class LocalSamples
-{
-public:
-  LocalSamples(vtkDataArray* array, int component, vtkUnsignedCharArray* ghosts, int association)
-    : Array(array)
-    , Component(component)
-    , Hidden(vtkTFCSamples::GetHiddenBit(association))
-  {
-    if (ghosts && ghosts->GetNumberOfValues() == array->GetNumberOfTuples())
-    {
-      this->Ghosts = ghosts->GetPointer(0);
-    }
-  }
-
-  bool Load(vtkAlgorithm* owner, double from, double to)
-  {
-    const vtkIdType count = this->Array->GetNumberOfTuples();
-    auto* floats = vtkFloatArray::SafeDownCast(this->Array);
-    if (floats && floats->GetNumberOfComponents() == 1 && this->Component == 0)
-    {
-      const float* values = floats->GetPointer(0);
-      const bool done = SurveyBlocks(count, owner, from, to, this->Found,
-        [&](vtkIdType first, vtkIdType n)
-        {
-          Survey survey = Look(values + first, n);
-          survey.HasOther = survey.HasOther || this->HasBlanked(first, n);
-          return survey;
-        });
-      if (!done || !this->Found.HasOther)
-      {
-        this->Values = values;
-        return done;
-      }
-    }
-    this->Copy = vtkTFCLargeBuffer::Allocate(count);
-    this->Values = this->Copy.get();
-    this->Found = Survey();
-    return SurveyBlocks(count, owner, from, to, this->Found,
-      [&](vtkIdType first, vtkIdType n)
-      {
-        float* values = this->Copy.get() + first;
-        vtkTFCSamples::Read(this->Array, this->Component, first, n, values);
-        for (vtkIdType i = 0; i < n; ++i)
-        {
-          const bool hidden = this->Ghosts && (this->Ghosts[first + i] & this->Hidden);
-          if (hidden || !(std::fabs(values[i]) <= LargestValid))
-          {
-            values[i] = std::numeric_limits<float>::quiet_NaN();
-          }
-        }
-        return Look(values, n);
-      });
-  }
-
-  const float* Values = nullptr;
-  Survey Found;
-
-private:
-  bool HasBlanked(vtkIdType first, vtkIdType n) const
-  {
-    const unsigned char hidden = this->Hidden;
-    return this->Ghosts &&
-      std::any_of(this->Ghosts + first, this->Ghosts + first + n,
-        [=](unsigned char flags) { return (flags & hidden) != 0; });
-  }
-
-  vtkDataArray* Array;
-  int Component;
-  unsigned char Hidden;
-  const unsigned char* Ghosts = nullptr;
-  vtkTFCLargeBuffer::Pointer Copy;
-};
-
 //------------------------------------------------------------------------------
 vtkDataSetAttributes* GetAttributes(vtkDataSet* data, int association)
 {
@@ -326,14 +160,23 @@ int vtkTFCPropertyFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVec
 }
 
 //------------------------------------------------------------------------------
-int vtkTFCPropertyFilter::RequestData(vtkInformation*, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+/**
+ * What RequestData() finds out once for all arrays.
+ */
+struct vtkTFCPropertyFilter::Job
 {
-  vtkImageData* input = vtkImageData::GetData(inputVector[0]);
-  vtkImageData* output = vtkImageData::GetData(outputVector);
-  output->ShallowCopy(input);
+  vtkImageData* Input = nullptr;
+  vtkImageData* Output = nullptr;
+  int Association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  std::vector<vtkDataArray*> Arrays; // empty on a process without samples
+  size_t NumberOfArrays = 0;         // the same on all processes
+  bool IsEmpty = false;
+  const vtkTFCDistributedImage* Image = nullptr;
+};
 
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+//------------------------------------------------------------------------------
+std::string vtkTFCPropertyFilter::FindArrays(vtkImageData* input, Job& job)
+{
   vtkInformation* info = this->GetInputArrayInformation(0);
   const char* wanted =
     info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
@@ -345,25 +188,206 @@ int vtkTFCPropertyFilter::RequestData(vtkInformation*, vtkInformationVector** in
     chosen = input->GetPointData()->GetScalars();
     if (!chosen && (chosen = input->GetCellData()->GetScalars()))
     {
-      association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+      job.Association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
     }
   }
   else
   {
-    chosen = this->GetInputAbstractArrayToProcess(0, input, association);
+    chosen = this->GetInputAbstractArrayToProcess(0, input, job.Association);
   }
-  auto* array = vtkDataArray::SafeDownCast(chosen);
-  const bool isEmpty = input->GetNumberOfPoints() == 0;
-  std::string problem = this->CheckParameters();
-  if (problem.empty() && !isEmpty)
+  if (job.IsEmpty)
   {
-    problem =
-      CheckArray(input, chosen, wanted ? wanted : "(active scalars)", association, this->Component);
+    return {};
+  }
+  const std::string problem = CheckArray(input, chosen, wanted ? wanted : "(active scalars)",
+    job.Association, this->Component);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  job.Arrays.push_back(vtkDataArray::SafeDownCast(chosen));
+  for (const std::string& name : this->MoreArrays)
+  {
+    vtkAbstractArray* more = GetAttributes(input, job.Association)->GetAbstractArray(name.c_str());
+    if (more == chosen)
+    {
+      continue;
+    }
+    const std::string other =
+      CheckArray(input, more, name.c_str(), job.Association, this->Component);
+    if (!other.empty())
+    {
+      return other;
+    }
+    job.Arrays.push_back(vtkDataArray::SafeDownCast(more));
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTFCPropertyFilter::CheckMemory(const Job& job, const Field& field,
+  bool needsCopy) const
+{
+  const double own = static_cast<double>(field.GetOwnSize());
+  double bytes = this->GetTemporaryBytes(field);
+  bytes += 4. * own * static_cast<double>(this->GetSuffixes().size());
+  bytes += needsCopy ? 4. * own : 0.;
+  bytes += job.Image->GetNumberOfRanks() > 1 ? 4. * static_cast<double>(field.GetSize()) : 0.;
+
+  vtksys::SystemInformation system;
+  // KiB. Memory that the system uses for files only is not "used".
+  double available =
+    1024. * static_cast<double>(system.GetHostMemoryTotal() - system.GetHostMemoryUsed());
+  if (const char* limit = std::getenv("TFC_MEMORY_LIMIT"))
+  {
+    const double mebibytes = std::strtod(limit, nullptr);
+    available = mebibytes > 0. ? std::min(available, mebibytes * 1048576.) : available;
+  }
+  if (bytes <= available)
+  {
+    return {};
+  }
+  std::ostringstream problem;
+  problem << "This needs " << std::ceil(bytes / 1048576.) << " MiB of memory for '" << field.Name
+          << "', and " << std::floor(available / 1048576.)
+          << " MiB are available. Use more processes, extract a part of the volume, or reduce its "
+             "resolution.";
+  return problem.str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTFCPropertyFilter::ProcessArray(Job& job, size_t index)
+{
+  const vtkTFCDistributedImage& image = *job.Image;
+  vtkDataArray* array = job.IsEmpty ? nullptr : job.Arrays[index];
+  Field field;
+  field.Name = array && array->GetName() ? array->GetName() : "";
+
+  std::unique_ptr<vtkTFCLocalSamples> local;
+  vtkTFCSurvey found;
+  bool completed = true;
+  if (array)
+  {
+    local.reset(new vtkTFCLocalSamples(array, this->Component,
+      vtkTFCSamples::GetGhosts(GetAttributes(job.Input, job.Association)), job.Association));
+    completed = local->Load(this, 0., 0.15);
+    found = local->Found;
+  }
+  if (!image.All(completed))
+  {
+    return false;
+  }
+  field.Range[0] = found.Minimum;
+  field.Range[1] = found.Maximum;
+  image.Minimum(field.Range, 1);
+  image.Maximum(field.Range + 1, 1);
+  if (field.Range[0] > field.Range[1])
+  {
+    vtkErrorMacro("The array '" << field.Name
+                                << "' has no valid value: all are NaN, infinite or blanked. Choose "
+                                   "another array. No array was added.");
+    return false;
   }
 
+  const auto whole = image.GetWholeExtent();
+  double spacing[3] = { 0., 0., 0. };
+  for (int a = 0; a < 3; ++a)
+  {
+    // Along an axis with one sample the spacing plays no part, and may be 0.
+    spacing[a] = job.IsEmpty ? 0. : std::fabs(job.Input->GetSpacing()[a]);
+    field.WholeSize[a] = whole[2 * a + 1] - whole[2 * a] + 1;
+  }
+  image.Maximum(spacing, 3);
+  for (int a = 0; a < 3; ++a)
+  {
+    field.Spacing[a] = spacing[a] > 0. ? spacing[a] : 1.;
+    field.UnitSpacing[a] = this->LengthUnit == WORLD ? field.Spacing[a] : 1.;
+  }
+  const bool several = image.GetNumberOfRanks() > 1;
+  const int halo = several ? this->GetHaloWidth(field) : 0;
+  const auto localExtent = image.GetLocalExtent();
+  const auto extent = several ? image.GetGrownExtent(halo) : localExtent;
+  for (int a = 0; !job.IsEmpty && a < 3; ++a)
+  {
+    field.Size[a] = extent[2 * a + 1] - extent[2 * a] + 1;
+    field.Begin[a] = localExtent[2 * a] - extent[2 * a];
+    field.End[a] = localExtent[2 * a + 1] - extent[2 * a] + 1;
+    field.Offset[a] = extent[2 * a] - whole[2 * a];
+  }
+  std::string problem = this->CheckField(field);
+  if (problem.empty() && !job.IsEmpty)
+  {
+    problem = this->CheckMemory(job, field, local->NeedsCopy() || found.HasOther);
+  }
+  if (!image.All(problem.empty()))
+  {
+    vtkErrorMacro(<< (problem.empty() ? "Another process cannot go on: see the message there."
+                                      : problem)
+                  << " No array was added.");
+    return false;
+  }
+
+  field.Values = local ? local->Values : nullptr;
+  field.HasInvalid = found.HasNaN;
+  vtkTFCLargeBuffer::Pointer grown;
+  if (several)
+  {
+    const vtkIdType count = vtkTFCDistributedImage::GetNumberOfSamples(extent);
+    grown = vtkTFCLargeBuffer::Allocate(count);
+    image.Exchange(field.Values, halo, grown.get());
+    field.Values = grown.get();
+    field.HasInvalid = vtkTFCSurvey::Look(grown.get(), count).HasNaN;
+  }
+  if (!image.All(this->Prepare(field, image)))
+  {
+    return false;
+  }
+
+  std::vector<vtkSmartPointer<vtkFloatArray>> results;
+  std::vector<float*> pointers;
+  for (const std::string& suffix : this->GetSuffixes())
+  {
+    const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
+    auto result = vtkSmartPointer<vtkFloatArray>::New();
+    result->SetName((field.Name + suffix).c_str());
+    result->SetArray(vtkTFCLargeBuffer::Allocate(count).release(), count, 0,
+      vtkFloatArray::VTK_DATA_ARRAY_FREE);
+    pointers.push_back(result->GetPointer(0));
+    results.push_back(result);
+  }
+  // All processes end up with the same arrays.
+  if (!image.All(job.IsEmpty || this->ComputeProperties(field, pointers)))
+  {
+    return false;
+  }
+  for (const auto& result : results)
+  {
+    if (!job.IsEmpty)
+    {
+      GetAttributes(job.Output, job.Association)->AddArray(result);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkTFCPropertyFilter::RequestData(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  Job job;
+  job.Input = vtkImageData::GetData(inputVector[0]);
+  job.Output = vtkImageData::GetData(outputVector);
+  job.Output->ShallowCopy(job.Input);
+  job.IsEmpty = job.Input->GetNumberOfPoints() == 0;
+
+  std::string problem = this->CheckParameters();
+  const std::string arrayProblem = this->FindArrays(job.Input, job);
+  problem = problem.empty() ? arrayProblem : problem;
+
   // From here on every process takes the same way, whatever it found.
-  const vtkTFCDistributedImage image(input, association, this->Controller);
-  if (!image.Any(!isEmpty) && problem.empty())
+  const vtkTFCDistributedImage image(job.Input, job.Association, this->Controller);
+  job.Image = &image;
+  if (!image.Any(!job.IsEmpty) && problem.empty())
   {
     problem = "The input is empty. Connect a volume with at least one point.";
   }
@@ -376,82 +400,49 @@ int vtkTFCPropertyFilter::RequestData(vtkInformation*, vtkInformationVector** in
                   << " No array was added.");
     return 1;
   }
+  double count = static_cast<double>(job.Arrays.size());
+  image.Maximum(&count, 1);
+  job.NumberOfArrays = static_cast<size_t>(count);
 
-  std::unique_ptr<LocalSamples> local;
-  Survey found;
-  bool completed = true;
-  if (!isEmpty)
+  const double shift = this->GetProgressShift(), scale = this->GetProgressScale();
+  try
   {
-    local.reset(new LocalSamples(array, this->Component,
-      vtkTFCSamples::GetGhosts(GetAttributes(input, association)), association));
-    completed = local->Load(this, 0., 0.15);
-    found = local->Found;
-  }
-  if (!image.All(completed))
-  {
-    return 1;
-  }
-  Field field;
-  field.Range[0] = found.Minimum;
-  field.Range[1] = found.Maximum;
-  image.Minimum(&field.Range[0], 1);
-  image.Maximum(&field.Range[1], 1);
-  if (field.Range[0] > field.Range[1])
-  {
-    vtkErrorMacro("The array '" << (array && array->GetName() ? array->GetName() : "")
-                                << "' has no valid value: all are NaN, infinite or blanked. Choose "
-                                   "another array. No array was added.");
-    return 1;
-  }
-
-  field.Values = local ? local->Values : nullptr;
-  field.HasInvalid = found.HasNaN;
-  const int halo = image.GetNumberOfRanks() > 1 ? this->GetHaloWidth() : 0;
-  const auto localExtent = image.GetLocalExtent();
-  const auto extent = image.GetNumberOfRanks() > 1 ? image.GetGrownExtent(halo) : localExtent;
-  vtkTFCLargeBuffer::Pointer grown;
-  if (image.GetNumberOfRanks() > 1)
-  {
-    const vtkIdType count = vtkTFCDistributedImage::GetNumberOfSamples(extent);
-    grown = vtkTFCLargeBuffer::Allocate(count);
-    image.Exchange(field.Values, halo, grown.get());
-    field.Values = grown.get();
-    field.HasInvalid = Look(grown.get(), count).HasNaN;
-  }
-  if (isEmpty)
-  {
-    return 1;
-  }
-  for (int a = 0; a < 3; ++a)
-  {
-    field.Size[a] = extent[2 * a + 1] - extent[2 * a] + 1;
-    field.Begin[a] = localExtent[2 * a] - extent[2 * a];
-    field.End[a] = localExtent[2 * a + 1] - extent[2 * a] + 1;
-    // Along an axis with one sample the spacing plays no part, and may be 0.
-    const double spacing = std::fabs(input->GetSpacing()[a]);
-    field.Spacing[a] = spacing > 0. ? spacing : 1.;
-  }
-
-  std::vector<vtkSmartPointer<vtkFloatArray>> results;
-  std::vector<float*> pointers;
-  for (const std::string& suffix : this->GetSuffixes())
-  {
-    auto result = vtkSmartPointer<vtkFloatArray>::New();
-    result->SetName(((array->GetName() ? array->GetName() : "") + suffix).c_str());
-    const vtkIdType count = array->GetNumberOfTuples();
-    result->SetArray(vtkTFCLargeBuffer::Allocate(count).release(), count, 0,
-      vtkFloatArray::VTK_DATA_ARRAY_FREE);
-    pointers.push_back(result->GetPointer(0));
-    results.push_back(result);
-  }
-  if (this->ComputeProperties(field, pointers))
-  {
-    for (const auto& result : results)
+    for (size_t i = 0; i < job.NumberOfArrays; ++i)
     {
-      GetAttributes(output, association)->AddArray(result);
+      this->SetProgressShiftScale(shift + scale * static_cast<double>(i) / count, scale / count);
+      if (!this->ProcessArray(job, i))
+      {
+        break;
+      }
     }
   }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("The memory does not suffice for this volume. Use more processes, extract a part "
+                  "of the volume, or reduce its resolution. No array was added.");
+  }
+  this->SetProgressShiftScale(shift, scale);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCPropertyFilter::AddArray(const char* name)
+{
+  if (name && *name)
+  {
+    this->MoreArrays.emplace_back(name);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCPropertyFilter::ClearArrays()
+{
+  if (!this->MoreArrays.empty())
+  {
+    this->MoreArrays.clear();
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -459,5 +450,11 @@ void vtkTFCPropertyFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Component: " << this->Component << "\n";
-  os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "LengthUnit: " << (this->LengthUnit == WORLD ? "WORLD" : "VOXELS") << "\n";
+  os << indent << "MoreArrays:";
+  for (const std::string& name : this->MoreArrays)
+  {
+    os << " '" << name << "'";
+  }
+  os << "\n" << indent << "Controller: " << this->Controller << "\n";
 }

@@ -6,6 +6,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <thread>
 
@@ -53,18 +54,26 @@ bool ForWithProgress(vtkIdType first, vtkIdType last, vtkIdType grain, vtkAlgori
     For(first, last, grain, body);
     return true;
   }
-  // Twenty parts: fine enough to abort soon and to see the bar move, coarse enough that starting
-  // the threads costs nothing next to the work.
-  constexpr vtkIdType parts = 20;
+  // Parts of about a tenth of a second: fine enough to abort soon and to see the bar move, coarse
+  // enough that starting the threads costs nothing next to the work.
   const vtkIdType count = last - first;
-  for (vtkIdType part = 0; part < parts; ++part)
+  const vtkIdType smallest = std::max<vtkIdType>(grain, 1) * GetNumberOfThreads();
+  vtkIdType part = std::max(smallest, count / 64);
+  for (vtkIdType done = 0; done < count;)
   {
     if (owner->GetAbortExecute())
     {
       return false;
     }
-    For(first + count * part / parts, first + count * (part + 1) / parts, grain, body);
-    owner->UpdateProgress(progressBegin + (progressEnd - progressBegin) * (part + 1) / parts);
+    const vtkIdType next = std::min(count, done + part);
+    const auto start = std::chrono::steady_clock::now();
+    For(first + done, first + next, grain, body);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    done = next;
+    part = time.count() < 0.05 ? 2 * part : time.count() > 0.2 ? part / 2 : part;
+    part = std::max(part, smallest);
+    owner->UpdateProgress(progressBegin +
+      (progressEnd - progressBegin) * static_cast<double>(done) / static_cast<double>(count));
   }
   return !owner->GetAbortExecute();
 }
