@@ -15,7 +15,7 @@ Function Combinations", Computers & Graphics 36(6), 2012)::
         print(row)
 
 Everything is in data units. ``help(tfc.TransferFunction)`` has the details, ``tfc.show`` renders,
-``tfc.attributes`` computes attributes of a volume and ``tfc.score`` ranks them. The plugin is loaded
+``tfc.attributes`` computes attributes of a volume, ``tfc.score`` ranks them. The plugin is loaded
 when it is first needed.
 """
 
