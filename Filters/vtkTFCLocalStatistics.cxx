@@ -107,7 +107,7 @@ double vtkTFCLocalStatistics::GetTemporaryBytes(const Field& field) const
   const tfc::SphereShells shells(field.WholeSize, field.UnitSpacing, this->MaximumRadius);
   const double block = (64. + 2. * static_cast<double>(shells.Reach[0])) *
     (8. + 2. * static_cast<double>(shells.Reach[1])) *
-    (1. + 2. * static_cast<double>(shells.Reach[2]));
+    (4. + 2. * static_cast<double>(shells.Reach[2]));
   return 60. * shells.EstimateSize() + 4. * block * vtkTFCThreads::GetNumberOfThreads();
 }
 

@@ -30,7 +30,7 @@
  *
  * Cost: proportional to the samples in the accepted spheres, at most 925 a voxel for a radius of 6
  * and 4169 for 10. Temporary memory: about 60 bytes per sample of the largest sphere, and for each
- * thread a padded block of (64 + 2 r) (8 + 2 r) (1 + 2 r) samples.
+ * thread a padded block of (64 + 2 r) (8 + 2 r) (4 + 2 r) samples.
  */
 
 #ifndef vtkTFCLocalStatistics_h

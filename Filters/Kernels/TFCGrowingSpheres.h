@@ -132,16 +132,14 @@ public:
       this->Begin[a] = begin[a];
       this->End[a] = end[a];
       this->Reach[a] = shells.Reach[a];
+      this->BlockSize[a] = TileSize[a] + 2 * shells.Reach[a];
+      this->Tiles[a] = (end[a] - begin[a] + TileSize[a] - 1) / TileSize[a];
     }
-    this->BlockSize[0] = BlockWidth + 2 * this->Reach[0];
-    this->BlockSize[1] = TileRows + 2 * this->Reach[1];
-    this->BlockSize[2] = 1 + 2 * this->Reach[2];
     for (const auto& o : shells.Offsets)
     {
-      this->LatticeOffsets.push_back((o[2] * size[1] + o[1]) * size[0] + o[0]);
-      this->BlockOffsets.push_back((o[2] * this->BlockSize[1] + o[1]) * this->BlockSize[0] + o[0]);
+      this->Offsets.push_back((o[2] * this->BlockSize[1] + o[1]) * this->BlockSize[0] + o[0]);
     }
-    for (Index k = 1; k < static_cast<Index>(this->Ends.size()); ++k)
+    for (size_t k = 1; k < this->Ends.size(); ++k)
     {
       Full full;
       for (int i = 0; i < Lanes; ++i)
@@ -155,17 +153,9 @@ public:
   }
 
   /**
-   * Rows of `TileRows` adjacent rows in one slice: the unit of work.
+   * Number of the units of work, boxes of 64 x 8 x 4 samples.
    */
-  Index GetNumberOfTiles() const
-  {
-    return this->GetTilesPerSlice() * (this->End[2] - this->Begin[2]);
-  }
-
-  /**
-   * Bytes that a Workspace takes.
-   */
-  double GetWorkspaceBytes() const { return 4. * static_cast<double>(this->GetBlockLength()); }
+  Index GetNumberOfTiles() const { return this->Tiles[0] * this->Tiles[1] * this->Tiles[2]; }
 
   /**
    * The padded copy; of one thread.
@@ -181,41 +171,46 @@ public:
    */
   void ComputeTile(const float* volume, Index tile, float* const* outputs, Workspace& work) const
   {
-    const Index z = this->Begin[2] + tile / this->GetTilesPerSlice();
-    const Index y0 = this->Begin[1] + tile % this->GetTilesPerSlice() * TileRows;
-    const Index y1 = std::min(y0 + TileRows, this->End[1]);
-    // The groups [direct0, direct1) of the tile are surrounded by samples of the lattice.
-    const Index groups = (this->End[0] - this->Begin[0] + Lanes - 1) / Lanes;
-    Index direct0 = groups, direct1 = groups;
-    if (this->Scale == 1.f && this->IsInside(1, y0, y1) && this->IsInside(2, z, z + 1))
+    if (!work.Block)
     {
-      const Index before = std::max<Index>(0, this->Reach[0] - this->Begin[0]);
-      const Index last = std::min(this->End[0], this->Size[0] - this->Reach[0]) - this->Begin[0];
-      direct0 = std::min(groups, (before + Lanes - 1) / Lanes);
-      direct1 = std::max(direct0, last > 0 ? last / Lanes : 0);
+      work.Block.reset(new float[static_cast<size_t>(
+        this->BlockSize[0] * this->BlockSize[1] * this->BlockSize[2])]);
     }
-    this->ComputeCopied(volume, 0, direct0, y0, y1, z, outputs, work);
-    for (Index y = y0; y < y1; ++y)
+    const Index index[3] = { tile % this->Tiles[0], tile / this->Tiles[0] % this->Tiles[1],
+      tile / (this->Tiles[0] * this->Tiles[1]) };
+    Index first[3], last[3];
+    for (int a = 0; a < 3; ++a)
     {
-      const float* row = volume + (z * this->Size[1] + y) * this->Size[0];
-      for (Index group = direct0; group < direct1; ++group)
+      first[a] = this->Begin[a] + index[a] * TileSize[a];
+      last[a] = std::min(first[a] + TileSize[a], this->End[a]);
+    }
+    this->Copy(volume, first, work.Block.get());
+    for (Index z = first[2]; z < last[2]; ++z)
+    {
+      for (Index y = first[1]; y < last[1]; ++y)
       {
-        const float* p = row + this->Begin[0] + group * Lanes;
-        if (this->Masked)
+        const bool rowInside = !this->Masked && this->IsInside(1, y, 1) && this->IsInside(2, z, 1);
+        const float* row = work.Block.get() + this->Reach[0] +
+          ((z - first[2] + this->Reach[2]) * this->BlockSize[1] + y - first[1] + this->Reach[1]) *
+            this->BlockSize[0];
+        for (Index x = first[0]; x < last[0]; x += Lanes)
         {
-          this->ComputeGroup<true>(p, this->LatticeOffsets.data(), group, y, z, outputs);
-        }
-        else
-        {
-          this->ComputeGroup<false>(p, this->LatticeOffsets.data(), group, y, z, outputs);
+          const float* p = row + x - first[0];
+          if (rowInside && this->IsInside(0, x, Lanes))
+          {
+            this->ComputeGroup<false>(p, x, y, z, outputs);
+          }
+          else
+          {
+            this->ComputeGroup<true>(p, x, y, z, outputs);
+          }
         }
       }
     }
-    this->ComputeCopied(volume, direct1, groups, y0, y1, z, outputs, work);
   }
 
 private:
-  static constexpr Index TileRows = 8, BlockWidth = 64;
+  static constexpr Index TileSize[3] = { 64, 8, 4 };
 
   struct Full
   {
@@ -224,74 +219,42 @@ private:
     alignas(64) float Counts[Lanes];
   };
 
-  Index GetTilesPerSlice() const
+  /**
+   * Whether the spheres of the samples [first, first + count) along an axis lie in the lattice.
+   */
+  bool IsInside(int axis, Index first, Index count) const
   {
-    return (this->End[1] - this->Begin[1] + TileRows - 1) / TileRows;
-  }
-
-  Index GetBlockLength() const
-  {
-    return this->BlockSize[0] * this->BlockSize[1] * this->BlockSize[2];
-  }
-
-  bool IsInside(int axis, Index first, Index last) const
-  {
-    return first >= this->Reach[axis] && last <= this->Size[axis] - this->Reach[axis];
+    return first >= this->Reach[axis] && first + count <= this->Size[axis] - this->Reach[axis];
   }
 
   /**
-   * The groups [group0, group1) of a tile by way of copies that are padded with NaN.
+   * The surroundings of the tile that begins at `first`, scaled, NaN outside of the lattice.
    */
-  void ComputeCopied(const float* volume, Index group0, Index group1, Index y0, Index y1, Index z,
-    float* const* outputs, Workspace& work) const
+  void Copy(const float* volume, const Index first[3], float* block) const
   {
-    constexpr Index blockGroups = BlockWidth / Lanes;
-    for (Index first = group0; first < group1; first += blockGroups)
-    {
-      if (!work.Block)
-      {
-        work.Block.reset(new float[static_cast<size_t>(this->GetBlockLength())]);
-      }
-      const Index last = std::min(first + blockGroups, group1);
-      this->Copy(volume, this->Begin[0] + first * Lanes, (last - first) * Lanes, y0, z,
-        work.Block.get());
-      for (Index y = y0; y < y1; ++y)
-      {
-        const float* row = work.Block.get() + this->Reach[0] +
-          (this->Reach[2] * this->BlockSize[1] + y - y0 + this->Reach[1]) * this->BlockSize[0];
-        for (Index group = first; group < last; ++group)
-        {
-          this->ComputeGroup<true>(row + (group - first) * Lanes, this->BlockOffsets.data(), group,
-            y, z, outputs);
-        }
-      }
-    }
-  }
-
-  void Copy(const float* volume, Index x0, Index width, Index y0, Index z, float* block) const
-  {
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    const Index from = x0 - this->Reach[0], count = width + 2 * this->Reach[0];
+    const float nan = std::numeric_limits<float>::quiet_NaN(), scale = this->Scale;
+    const Index from[3] = { first[0] - this->Reach[0], first[1] - this->Reach[1],
+      first[2] - this->Reach[2] };
     // Parts of a row before, inside and after the lattice.
-    const Index inside0 = std::min(std::max<Index>(-from, 0), count);
-    const Index inside1 = std::min(std::max(this->Size[0] - from, inside0), count);
-    for (Index dz = 0; dz < this->BlockSize[2]; ++dz)
+    const Index width = this->BlockSize[0];
+    const Index inside0 = std::min(std::max<Index>(-from[0], 0), width);
+    const Index inside1 = std::min(std::max(this->Size[0] - from[0], inside0), width);
+    for (Index z = from[2]; z < from[2] + this->BlockSize[2]; ++z)
     {
-      for (Index dy = 0; dy < this->BlockSize[1]; ++dy, block += this->BlockSize[0])
+      for (Index y = from[1]; y < from[1] + this->BlockSize[1]; ++y, block += width)
       {
-        const Index atZ = z - this->Reach[2] + dz, atY = y0 - this->Reach[1] + dy;
-        if (atZ < 0 || atZ >= this->Size[2] || atY < 0 || atY >= this->Size[1])
+        if (z < 0 || z >= this->Size[2] || y < 0 || y >= this->Size[1])
         {
-          std::fill(block, block + count, nan);
+          std::fill(block, block + width, nan);
           continue;
         }
-        const float* in = volume + (atZ * this->Size[1] + atY) * this->Size[0] + from;
+        const float* in = volume + (z * this->Size[1] + y) * this->Size[0] + from[0];
         std::fill(block, block + inside0, nan);
         for (Index x = inside0; x < inside1; ++x)
         {
-          block[x] = in[x] * this->Scale;
+          block[x] = in[x] * scale;
         }
-        std::fill(block + inside1, block + count, nan);
+        std::fill(block + inside1, block + width, nan);
       }
     }
   }
@@ -300,12 +263,11 @@ private:
    * The spheres around p[0] to p[15], stored as far as they are samples of the output.
    */
   template <bool MayHaveNaN>
-  void ComputeGroup(const float* p, const Index* offsets, Index group, Index y, Index z,
-    float* const* outputs) const
+  void ComputeGroup(const float* p, Index x, Index y, Index z, float* const* outputs) const
   {
     PowerSums sums;
     alignas(64) float shift[Lanes], radius[Lanes];
-    this->Grow<MayHaveNaN>(p, offsets, sums, shift, radius);
+    this->Grow<MayHaveNaN>(p, sums, shift, radius);
 
     alignas(64) float results[NumberOfSphereStatistics][Lanes];
     const double inverseScale = 1. / static_cast<double>(this->Scale);
@@ -331,11 +293,10 @@ private:
       results[SphereKurtosis][i] =
         static_cast<float>((varies ? m4 / (divisor * divisor) : 3.) + invalid);
     }
-    const Index width = this->End[0] - this->Begin[0];
+    const Index width = this->End[0] - this->Begin[0], height = this->End[1] - this->Begin[1];
     const Index start =
-      ((z - this->Begin[2]) * (this->End[1] - this->Begin[1]) + y - this->Begin[1]) * width +
-      group * Lanes;
-    const Index count = std::min<Index>(Lanes, width - group * Lanes);
+      ((z - this->Begin[2]) * height + y - this->Begin[1]) * width + x - this->Begin[0];
+    const Index count = std::min<Index>(Lanes, this->End[0] - x);
     for (int s = 0; s < NumberOfSphereStatistics; ++s)
     {
       if (outputs[s])
@@ -349,9 +310,10 @@ private:
    * The sums of the accepted spheres, about `shift`, and their radii in steps.
    */
   template <bool MayHaveNaN>
-  void Grow(const float* p, const Index* offsets, PowerSums& accepted, float* __restrict shift,
+  void Grow(const float* p, PowerSums& accepted, float* __restrict shift,
     float* __restrict radius) const
   {
+    const Index* offsets = this->Offsets.data();
     alignas(64) std::int32_t alive[Lanes], passed[Lanes];
     PowerSums shell, total;
     SphereTests::LaneConstants constants;
@@ -422,12 +384,13 @@ private:
   }
 
   const SphereTests& Tests;
-  std::vector<Index> Ends, LatticeOffsets, BlockOffsets;
-  std::vector<Full> FullSpheres; // [k - 1]: what S_k and its shell have inside the volume
+  std::vector<Index> Ends, Offsets; // as in SphereShells, in the block
+  std::vector<Full> FullSpheres;    // [k - 1]: constants of a sphere without gaps and of its shell
   double Step;
   bool Masked;
   float Scale;
-  Index Size[3], Begin[3], End[3], Reach[3], BlockSize[3];
+  Index Size[3], Begin[3], End[3], Reach[3];
+  Index BlockSize[3], Tiles[3];
 };
 }
 

@@ -67,6 +67,14 @@ inline float LaneLog(float value)
   return x + y + 0.693359375f * exponent;
 }
 
+/**
+ * The larger number; `least` for NaN.
+ */
+inline float AtLeast(float value, float least)
+{
+  return value > least ? value : least;
+}
+
 class SphereTests
 {
 public:
@@ -170,34 +178,51 @@ public:
   void TestSimilarity(const PowerSums& inner, const PowerSums& shell,
     std::int32_t* __restrict passed) const
   {
-    alignas(64) float difference[Lanes], variance[Lanes], place[Lanes];
+    // Several loops, each with few selections: in a long one the compiler joins them to branches.
+    alignas(64) float n1[Lanes], n2[Lanes], less1[Lanes], less2[Lanes];
+    alignas(64) float difference[Lanes], variance1[Lanes], variance2[Lanes], variance[Lanes];
+    alignas(64) float inverseFreedom[Lanes], place[Lanes];
     alignas(64) std::int32_t interval[Lanes];
     for (int i = 0; i < Lanes; ++i)
     {
-      const float n1 = inner.Count[i], n2 = shell.Count[i];
-      const float divisor1 = n1 > 1.f ? n1 : 1.f, divisor2 = n2 > 1.f ? n2 : 1.f;
-      const float less1 = n1 > 2.f ? n1 - 1.f : 1.f, less2 = n2 > 2.f ? n2 - 1.f : 1.f;
-      const float mean1 = inner.Sum[0][i] / divisor1, mean2 = shell.Sum[0][i] / divisor2;
-      const float raw1 = (inner.Sum[1][i] - inner.Sum[0][i] * mean1) / less1;
-      const float raw2 = (shell.Sum[1][i] - shell.Sum[0][i] * mean2) / less2;
+      n1[i] = AtLeast(inner.Count[i], 1.f);
+      n2[i] = AtLeast(shell.Count[i], 1.f);
+      less1[i] = AtLeast(inner.Count[i] - 1.f, 1.f);
+      less2[i] = AtLeast(shell.Count[i] - 1.f, 1.f);
+    }
+    for (int i = 0; i < Lanes; ++i)
+    {
+      const float mean1 = inner.Sum[0][i] / n1[i], mean2 = shell.Sum[0][i] / n2[i];
+      const float squares1 = inner.Sum[1][i] - inner.Sum[0][i] * mean1;
+      const float squares2 = shell.Sum[1][i] - shell.Sum[0][i] * mean2;
+      variance1[i] = AtLeast(squares1, 0.f) / less1[i];
+      variance2[i] = AtLeast(squares2, 0.f) / less2[i];
+      difference[i] = mean1 - mean2;
+    }
+    for (int i = 0; i < Lanes; ++i)
+    {
       // A sample of one borrows the other's variance.
-      const bool single = (n1 < 2.f) | (n2 < 2.f);
-      const float chosen1 = n1 < 2.f ? raw2 : raw1, chosen2 = n2 < 2.f ? raw1 : raw2;
-      const float u = (chosen1 > 0.f ? chosen1 : 0.f) / divisor1;
-      const float w = (chosen2 > 0.f ? chosen2 : 0.f) / divisor2;
-      const float both = u + w;
-      const float part = both > 0.f ? u / both : 0.f, other = 1.f - part;
-      const float freedom = n1 + n2 - 2.f;
-      const float welch = part * part / less1 + other * other / less2;
-      const float inverse = single ? 1.f / (freedom > 1.f ? freedom : 1.f) : welch;
-      const float position = inverse * static_cast<float>(Intervals);
+      const float u = (n1[i] < 2.f ? variance2[i] : variance1[i]) / n1[i];
+      const float w = (n2[i] < 2.f ? variance1[i] : variance2[i]) / n2[i];
+      variance[i] = u + w;
+      const float part = u / AtLeast(u + w, 1e-37f), other = 1.f - part;
+      inverseFreedom[i] = part * part / less1[i] + other * other / less2[i];
+    }
+    for (int i = 0; i < Lanes; ++i)
+    {
+      const float student = 1.f / AtLeast(n1[i] + n2[i] - 2.f, 1.f);
+      const float fewest = n1[i] < n2[i] ? n1[i] : n2[i];
+      inverseFreedom[i] = fewest < 2.f ? student : inverseFreedom[i];
+    }
+    for (int i = 0; i < Lanes; ++i)
+    {
+      const float position = AtLeast(inverseFreedom[i] * static_cast<float>(Intervals), 0.f);
       const float top = static_cast<float>(Intervals) - 0.001f;
-      // The comparisons turn NaN into 0.
-      const float inside = position > 0.f ? (position < top ? position : top) : 0.f;
+      const float inside = position < top ? position : top;
       interval[i] = static_cast<std::int32_t>(inside);
       place[i] = inside - static_cast<float>(interval[i]);
-      difference[i] = n2 > 0.f ? mean1 - mean2 : 0.f;
-      variance[i] = both;
+      // An empty shell differs from nothing.
+      difference[i] = shell.Count[i] > 0.f ? difference[i] : 0.f;
     }
     const float* quantiles = this->Quantiles.data();
     for (int i = 0; i < Lanes; ++i)
