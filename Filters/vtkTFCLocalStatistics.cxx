@@ -122,17 +122,35 @@ bool vtkTFCLocalStatistics::ComputeProperties(const Field& field,
     field.HasInvalid, GetScale(field.Range));
   float* statistics[tfc::NumberOfSphereStatistics] = {};
   std::copy(outputs.begin(), outputs.end(), statistics);
-  // A few tiles at once: the block is allocated once per call.
-  return vtkTFCThreads::ForWithProgress(0, spheres.GetNumberOfTiles(), 4, this, 0.15, 1.,
-    vtkTFCSimd::Vectorize(
-      [&](vtkIdType begin, vtkIdType end)
+  const auto body = vtkTFCSimd::Vectorize(
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      tfc::GrowingSpheres::Workspace work;
+      for (vtkIdType tile = begin; tile < end; ++tile)
       {
-        tfc::GrowingSpheres::Workspace work;
-        for (vtkIdType tile = begin; tile < end; ++tile)
-        {
-          spheres.ComputeTile(field.Values, tile, statistics, work);
-        }
-      }));
+        spheres.ComputeTile(field.Values, tile, statistics, work);
+      }
+    });
+  // A loop with progress starts with a 64th of its range. Large spheres in a large volume would
+  // make that too long to wait for after an abort: several loops, at about 100 ns per sample of a
+  // tile.
+  const vtkIdType tiles = spheres.GetNumberOfTiles();
+  const double seconds =
+    static_cast<double>(tiles) / 64. * 1e-7 * static_cast<double>(shells.Offsets.size());
+  const vtkIdType loops = std::min(tiles, static_cast<vtkIdType>(1. + seconds / 0.5));
+  // A few tiles at once, as the block is allocated once per call.
+  const vtkIdType grain = shells.Offsets.size() < 20000 ? 4 : 1;
+  const auto progress = [&](vtkIdType loop)
+  { return 0.15 + 0.85 * static_cast<double>(loop) / static_cast<double>(loops); };
+  for (vtkIdType loop = 0; loop < loops; ++loop)
+  {
+    if (!vtkTFCThreads::ForWithProgress(tiles * loop / loops, tiles * (loop + 1) / loops, grain,
+          this, progress(loop), progress(loop + 1), body))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

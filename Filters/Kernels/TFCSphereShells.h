@@ -70,11 +70,14 @@ private:
       : std::min(spacing[0], std::min(spacing[1], spacing[2]));
     // Spacings are products of rounded numbers: a point on the sphere belongs to it.
     constexpr double slack = 1. + 1e-9;
-    this->NumberOfShells = static_cast<Index>(std::floor(radius / this->Step * slack));
+    // The bound keeps absurd radii within integers: no volume has so many samples along an axis.
+    this->NumberOfShells =
+      static_cast<Index>(std::min(std::floor(radius / this->Step * slack), 1e9));
     const double largest = static_cast<double>(this->NumberOfShells) * this->Step * slack;
     for (int a = 0; a < 3; ++a)
     {
-      this->Reach[a] = std::min(static_cast<Index>(largest / spacing[a]), wholeSize[a] - 1);
+      this->Reach[a] =
+        static_cast<Index>(std::min(largest / spacing[a], static_cast<double>(wholeSize[a] - 1)));
     }
     if (points)
     {

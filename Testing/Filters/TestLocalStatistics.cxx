@@ -297,9 +297,9 @@ TEST(LocalStatistics, PartOfTheExtent)
     for (int x = extent[0]; x <= extent[1]; ++x)
     {
       int at[3] = { x, 3, z };
-      const size_t i = static_cast<size_t>((x - 3) + 30 * ((3 + 2) + 20 * (z - 7)));
+      const vtkIdType i = (x - 3) + 30 * (5 + vtkIdType{ 20 } * (z - 7));
       EXPECT_EQ(static_cast<float>(means->GetTuple1(part->ComputePointId(at))),
-        whole.at("_mean")[i]);
+        whole.at("_mean")[static_cast<size_t>(i)]);
     }
   }
 }
@@ -365,6 +365,7 @@ TEST(LocalStatistics, WrongParameters)
     refuses(MakeFilter(radius), "MaximumRadius is ");
   }
   refuses(MakeFilter(12.5), "MaximumRadius is 12.5 voxels, but the largest side of 'a' is 12");
+  refuses(MakeFilter(1e300), "but the largest side");
   EXPECT_EQ(RunFilter(MakeFilter(12.), image).size(), 5u);
   for (const double alpha : { 0., 1., -0.1, 2., NaN })
   {
