@@ -119,7 +119,7 @@ bool vtkTFCLocalStatistics::ComputeProperties(const Field& field,
     tfc::SphereShells::Make(field.WholeSize, field.UnitSpacing, this->MaximumRadius);
   const tfc::SphereTests tests(this->ConfidenceLevel, shells.Ends.back());
   const tfc::GrowingSpheres spheres(shells, tests, field.Size, field.Begin, field.End,
-    field.HasInvalid, GetScale(field.Range));
+    GetScale(field.Range));
   float* statistics[tfc::NumberOfSphereStatistics] = {};
   std::copy(outputs.begin(), outputs.end(), statistics);
   const auto body = vtkTFCSimd::Vectorize(

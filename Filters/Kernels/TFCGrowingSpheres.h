@@ -6,20 +6,21 @@
  *
  * Section 4.3 of Zhou, Schott and Hansen (2012), after Haidacher et al. (2010). Spheres S_1, S_2,
  * ... grow by shells (TFCSphereShells.h). S_1 is accepted as it is; S_k replaces S_(k-1) if
- * - the samples of S_k pass D'Agostino's K-squared test (TFCNormality.h; not asked of fewer than
- * 8),
- * - and those of S_(k-1) and of the shell S_k \ S_(k-1) Welch's test (TFCWelch.h),
+ * - the samples of S_k, unless fewer than 8, pass D'Agostino's K-squared test (TFCNormality.h),
+ * - and those of S_(k-1) and of the shell S_k \ S_(k-1) pass Welch's test (TFCWelch.h),
+ *
  * both at level alpha. Growth stops at the first failure or at the largest radius. Results are the
  * moments of the last accepted sphere and its radius k h. Samples outside of the lattice and NaN
  * take no part; a NaN voxel gets NaN.
  *
  * Sixteen consecutive voxels of a row grow side by side until the last one stops
- * (TFCSphereTests.h). The sums are those of differences from the mean of S_1. Groups whose spheres
- * lie inside of a lattice without NaN read it where it is; others read a padded copy of their
- * surroundings. Both add in the same order: the results have the same bits, however the lattice is
- * cut into pieces.
+ * (TFCSphereTests.h). The sums are those of differences from the mean of S_1. A box of voxels at a
+ * time reads a padded copy of its surroundings: it stays in the cache, whatever the size of a row.
+ * Groups whose spheres are complete skip the test for NaN, and add in the same order as others: the
+ * results have the same bits, however the lattice is cut into pieces.
  *
- * Cost: about eight operations per sample and voxel, while the sphere grows.
+ * Cost: about eight operations per sample and voxel while the sphere grows, twice that where
+ * samples may be missing.
  */
 
 #ifndef TFCGrowingSpheres_h
@@ -115,15 +116,14 @@ class GrowingSpheres
 public:
   /**
    * For the samples [begin, end) of a lattice that holds Reach samples more on each side or ends
-   * where the volume does. `masked` must be true if it may hold NaN. Values are multiplied by
-   * `scale`, a power of two, before they are raised to powers, and results divided by it.
+   * where the volume does. Values are multiplied by `scale`, a power of two, before they are raised
+   * to powers, and results divided by it.
    */
   GrowingSpheres(const SphereShells& shells, const SphereTests& tests, const Index size[3],
-    const Index begin[3], const Index end[3], bool masked, float scale)
+    const Index begin[3], const Index end[3], float scale)
     : Tests(tests)
     , Ends(shells.Ends)
     , Step(shells.Step)
-    , Masked(masked)
     , Scale(scale)
   {
     for (int a = 0; a < 3; ++a)
@@ -184,12 +184,12 @@ public:
       first[a] = this->Begin[a] + index[a] * TileSize[a];
       last[a] = std::min(first[a] + TileSize[a], this->End[a]);
     }
-    this->Copy(volume, first, work.Block.get());
+    const bool complete = this->Copy(volume, first, work.Block.get());
     for (Index z = first[2]; z < last[2]; ++z)
     {
       for (Index y = first[1]; y < last[1]; ++y)
       {
-        const bool rowInside = !this->Masked && this->IsInside(1, y, 1) && this->IsInside(2, z, 1);
+        const bool rowInside = complete && this->IsInside(1, y, 1) && this->IsInside(2, z, 1);
         const float* row = work.Block.get() + this->Reach[0] +
           ((z - first[2] + this->Reach[2]) * this->BlockSize[1] + y - first[1] + this->Reach[1]) *
             this->BlockSize[0];
@@ -229,10 +229,12 @@ private:
 
   /**
    * The surroundings of the tile that begins at `first`, scaled, NaN outside of the lattice.
+   * Returns whether there is no NaN inside of it.
    */
-  void Copy(const float* volume, const Index first[3], float* block) const
+  bool Copy(const float* volume, const Index first[3], float* block) const
   {
     const float nan = std::numeric_limits<float>::quiet_NaN(), scale = this->Scale;
+    std::int32_t gaps = 0;
     const Index from[3] = { first[0] - this->Reach[0], first[1] - this->Reach[1],
       first[2] - this->Reach[2] };
     // Parts of a row before, inside and after the lattice.
@@ -253,10 +255,12 @@ private:
         for (Index x = inside0; x < inside1; ++x)
         {
           block[x] = in[x] * scale;
+          gaps |= in[x] != in[x];
         }
         std::fill(block + inside1, block + width, nan);
       }
     }
+    return gaps == 0;
   }
 
   /**
@@ -387,7 +391,6 @@ private:
   std::vector<Index> Ends, Offsets; // as in SphereShells, in the block
   std::vector<Full> FullSpheres;    // [k - 1]: constants of a sphere without gaps and of its shell
   double Step;
-  bool Masked;
   float Scale;
   Index Size[3], Begin[3], End[3], Reach[3];
   Index BlockSize[3], Tiles[3];
