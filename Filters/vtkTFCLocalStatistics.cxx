@@ -137,7 +137,7 @@ bool vtkTFCLocalStatistics::ComputeProperties(const Field& field,
   const vtkIdType tiles = spheres.GetNumberOfTiles();
   const double seconds =
     static_cast<double>(tiles) / 64. * 1e-7 * static_cast<double>(shells.Offsets.size());
-  const vtkIdType loops = std::min(tiles, static_cast<vtkIdType>(1. + seconds / 0.5));
+  const vtkIdType loops = std::min(tiles, static_cast<vtkIdType>(1. + seconds / 0.1));
   // A few tiles at once, as the block is allocated once per call.
   const vtkIdType grain = shells.Offsets.size() < 20000 ? 4 : 1;
   const auto progress = [&](vtkIdType loop)
