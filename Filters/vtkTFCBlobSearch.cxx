@@ -251,6 +251,11 @@ bool vtkTFCBlobSearch::Find(const float* response, const std::vector<double>& si
   {
     detector.LogSigmas[i] = std::log(sigmas[detector.Scale - 1 + i]);
   }
+  for (int a = 0; a < 3; ++a)
+  {
+    detector.Width[a] = tfc::ScaleSpacePlan::GetHalfSigma(sigmas[detector.Scale],
+      this->Spacing[a] * static_cast<double>(this->Lattice.Stride[a]));
+  }
   // A list per slice: their order does not depend on the threads.
   std::vector<std::vector<tfc::Blob>> slices(this->Lattice.Size[2]);
   for (const float sign : { -1.f, 1.f })

@@ -35,11 +35,13 @@ public:
 
   ///@{
   /**
-   * The lattice: its samples, their number per axis and where the first lies in the whole volume.
+   * The lattice: its samples, their number per axis and where the first lies in the whole volume;
+   * their distances in the plan's unit.
    */
   const float* Values = nullptr;
   tfc::Index Size[3] = { 0, 0, 0 };
   tfc::Index Offset[3] = { 0, 0, 0 };
+  double Spacing[3] = { 1., 1., 1. };
   bool HasInvalid = false;
   ///@}
 

@@ -250,7 +250,9 @@ int vtkTFCFeatureSize::GetHaloWidth(const Field& field) const
   {
     if (field.WholeSize[a] > 1)
     {
-      reach = std::max(reach, std::sqrt(1. * plan.Dimension) * sigma / field.UnitSpacing[a]);
+      // A blob's radius, and the distance at which its width is tested.
+      reach =
+        std::max(reach, (std::sqrt(1. * plan.Dimension) + 0.5) * sigma / field.UnitSpacing[a]);
     }
   }
   const double halo = std::ceil(reach) + static_cast<double>(plan.GetReach());
@@ -286,6 +288,7 @@ bool vtkTFCFeatureSize::ComputeProperties(const Field& field, const std::vector<
   search.HasInvalid = field.HasInvalid;
   std::copy(field.Size, field.Size + 3, search.Size);
   std::copy(field.Offset, field.Offset + 3, search.Offset);
+  std::copy(field.UnitSpacing, field.UnitSpacing + 3, search.Spacing);
   const double* range = this->UseIntensityRange ? this->IntensityRange : field.Range;
   std::copy(range, range + 2, search.Range);
   search.FindBright = this->Polarity != DARK;

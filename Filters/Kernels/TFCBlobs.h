@@ -9,6 +9,10 @@
  * an object centred between samples is found, and once. A parabola through the three
  * values along each axis, and one in log sigma, give its position between samples and its sigma.
  *
+ * Nonlinear diffusion leaves edges sharp, and an uneven edge has extrema of its own, narrow ones at
+ * any scale. A blob is as wide as its scale: half a sigma away along each axis the response must
+ * still be a part, SmallestPlateau, of the maximum. For a ball it is about 0.9.
+ *
  * Responses are Laplacians: bright blobs are negative ones. Invalid samples have the response 0,
  * and a threshold above 0 keeps them from being maxima.
  *
@@ -25,6 +29,8 @@
 
 namespace tfc
 {
+constexpr float SmallestPlateau = 0.3f;
+
 /**
  * A blob. Position and Voxel count samples of the whole volume.
  */
@@ -75,6 +81,7 @@ struct BlobDetector
   const float* Responses[3] = { nullptr, nullptr, nullptr }; ///< of consecutive scales
   double LogSigmas[3] = { 0., 0., 0. };
   CoarseLattice Lattice; ///< of all three
+  Index Width[3] = { 1, 1, 1 }; ///< half a sigma in samples of the lattice, at least 1
   int Scale = 0;
   float Sign = -1.f;     ///< -1 finds bright blobs, 1 dark ones
   float Threshold = 0.f; ///< magnitude of the response, above 0
@@ -96,7 +103,7 @@ struct BlobDetector
         {
           for (Index i = 0; i < count; ++i)
           {
-            if (candidates[i] && this->IsMaximum(x0 + i, y, z))
+            if (candidates[i] && this->IsMaximum(x0 + i, y, z) && this->IsWide(x0 + i, y, z))
             {
               found.push_back(this->Fit(x0 + i, y, z));
             }
@@ -156,6 +163,25 @@ private:
               return false;
             }
           }
+        }
+      }
+    }
+    return true;
+  }
+
+  bool IsWide(Index x, Index y, Index z) const
+  {
+    const float least = SmallestPlateau * this->Get(1, x, y, z);
+    for (int a = 0; a < 3; ++a)
+    {
+      for (const Index step : { -this->Width[a], this->Width[a] })
+      {
+        Index there[3] = { x, y, z };
+        there[a] += step;
+        const bool inside = there[a] >= 0 && there[a] < this->Lattice.Size[a];
+        if (inside && !(this->Get(1, there[0], there[1], there[2]) >= least))
+        {
+          return false;
         }
       }
     }

@@ -28,11 +28,17 @@
 namespace tfc
 {
 /**
- * Samples per sigma from which on half the resolution suffices, and the fewest samples that
- * an axis is halved to.
+ * Samples per sigma from which on half the resolution suffices, and the fewest samples that an axis
+ * is halved to.
  */
 constexpr double CoarseningSigma = 4.;
 constexpr Index FewestCoarseSamples = 8;
+
+/**
+ * How far diffusion may differ from a Gaussian, relative to the variance squared: a ball's sigma
+ * then is wrong by about four times as much.
+ */
+constexpr double FourthOrderTolerance = 0.004;
 
 /**
  * What the plan depends on: the whole volume's samples per axis, their distances, and the radii, in
@@ -70,6 +76,12 @@ struct ScaleSpaceAction
 
 struct ScaleSpacePlan
 {
+  /// Samples in half a sigma of a scale, on a lattice with this distance of samples.
+  static Index GetHalfSigma(double sigma, double distance)
+  {
+    return std::max<Index>(1, static_cast<Index>(std::lround(0.5 * sigma / distance)));
+  }
+
   std::vector<ScaleSpaceAction> Actions;
   std::vector<double> Sigmas; ///< of the responses, in order
   int Dimension = 0;          ///< axes with more than one sample
@@ -155,6 +167,36 @@ private:
     return action;
   }
 
+  /**
+   * The longest cycles with which the result is a Gaussian within FourthOrderTolerance. To the
+   * fourth order in frequency w, differences in space widen it by extra T w^4 / 2 and steps in time
+   * narrow it by sum tau^2 w^4 / 2: steps as long as the extra variance make up for it.
+   */
+  DiffusionSchedule MakeSchedule(double variance, double longestStable)
+  {
+    const double time = 0.5 * (variance - this->Variance), extra = this->GetExtraVariance();
+    const double tolerated = FourthOrderTolerance * variance * variance;
+    DiffusionSchedule schedule;
+    // Cycles of two steps are worse than single steps.
+    for (const int cycle : { 6, 5, 4, 3, 1, 1 })
+    {
+      const bool isLast = cycle == 1 && schedule.CycleSteps == 1;
+      const double longest = isLast ? std::min(longestStable, extra) : longestStable;
+      schedule = MakeDiffusionSchedule(time, longest, cycle);
+      double error = this->FourthOrder - std::max(0., time) * extra;
+      for (const double step : schedule.Steps)
+      {
+        error += step * step;
+      }
+      if (error <= tolerated || isLast)
+      {
+        this->FourthOrder = error;
+        break;
+      }
+    }
+    return schedule;
+  }
+
   /// Diffuse up to a variance.
   void Diffuse(double variance, bool nonlinear)
   {
@@ -163,8 +205,7 @@ private:
     {
       sum += this->IsUsed(a) ? 1. / (this->GetSpacing(a) * this->GetSpacing(a)) : 0.;
     }
-    const DiffusionSchedule schedule =
-      MakeDiffusionSchedule(0.5 * (variance - this->Variance), 0.5 / sum);
+    const DiffusionSchedule schedule = this->MakeSchedule(variance, 0.5 / sum);
     for (size_t i = 0; i < schedule.Steps.size(); ++i)
     {
       ScaleSpaceAction action = this->MakeAction(ScaleSpaceAction::Diffuse);
@@ -232,6 +273,7 @@ private:
   Index Stride[3] = { 1, 1, 1 };
   double Shortest = 0.;
   double Variance = 0.;
+  double FourthOrder = 0.; ///< sum of tau^2 - extra T, see MakeSchedule()
 };
 
 /**
