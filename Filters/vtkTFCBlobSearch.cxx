@@ -148,11 +148,8 @@ bool vtkTFCBlobSearch::Diffuse(const tfc::ScaleSpaceAction& action)
       vtkTFCSimd::Vectorize(
         [=](vtkIdType begin, vtkIdType end)
         {
-          for (tfc::Index z = begin; z < end; ++z)
-          {
-            tfc::DiffuseSlice<decltype(nonlinear)::value, decltype(masked)::value>(from, cycle,
-              lattice.Size, coefficients, z, to);
-          }
+          tfc::DiffuseSlices<decltype(nonlinear)::value, decltype(masked)::value>(from, cycle,
+            lattice.Size, coefficients, begin, end, to);
         }));
   };
   const bool going = action.Nonlinear ? this->HasInvalid ? run(std::true_type{}, std::true_type{})

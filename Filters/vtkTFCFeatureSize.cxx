@@ -245,17 +245,14 @@ int vtkTFCFeatureSize::GetHaloWidth(const Field& field) const
   // A blob's sigma lies below the middle between the last scale but one and the last.
   const size_t last = plan.Sigmas.size();
   const double sigma = last < 2 ? 0. : 0.5 * (plan.Sigmas[last - 2] + plan.Sigmas[last - 1]);
-  double reach = 0.;
+  double shortest = std::numeric_limits<double>::infinity();
   for (int a = 0; a < 3; ++a)
   {
-    if (field.WholeSize[a] > 1)
-    {
-      // A blob's radius, and the distance at which its width is tested.
-      reach =
-        std::max(reach, (std::sqrt(1. * plan.Dimension) + 0.5) * sigma / field.UnitSpacing[a]);
-    }
+    shortest = field.WholeSize[a] > 1 ? std::min(shortest, field.UnitSpacing[a]) : shortest;
   }
-  const double halo = std::ceil(reach) + static_cast<double>(plan.GetReach());
+  // A blob's radius, and the distance at which its width is tested.
+  const double reach = (std::sqrt(1. * plan.Dimension) + 0.5) * sigma / shortest;
+  const double halo = std::ceil(reach) + static_cast<double>(plan.GetReach(shortest));
   // More than the volume changes nothing.
   const auto* whole = field.WholeSize;
   return static_cast<int>(

@@ -63,14 +63,32 @@ inline double FitParabola(double low, double center, double high)
 inline double FitParabola(const double x[3], const double y[3])
 {
   const double below = x[1] - x[0], above = x[2] - x[1];
+  if (!(below > 0. && above > 0.))
+  {
+    return x[1];
+  }
   const double slopeBelow = (y[1] - y[0]) / below, slopeAbove = (y[2] - y[1]) / above;
   const double curvature = (slopeBelow - slopeAbove) / (below + above);
-  if (!(below > 0. && above > 0. && curvature > 0.))
+  if (!(curvature > 0.))
   {
     return x[1];
   }
   const double position = 0.5 * (x[0] + x[1] + slopeBelow / curvature);
   return std::min(x[1] + 0.5 * above, std::max(x[1] - 0.5 * below, position));
+}
+
+/**
+ * The parabola through three values, at t.
+ */
+inline double EvaluateParabola(const double x[3], const double y[3], double t)
+{
+  if (!(x[0] < x[1] && x[1] < x[2]))
+  {
+    return y[1];
+  }
+  return y[0] * (t - x[1]) * (t - x[2]) / ((x[0] - x[1]) * (x[0] - x[2])) +
+    y[1] * (t - x[0]) * (t - x[2]) / ((x[1] - x[0]) * (x[1] - x[2])) +
+    y[2] * (t - x[0]) * (t - x[1]) / ((x[2] - x[0]) * (x[2] - x[1]));
 }
 
 /**
@@ -80,7 +98,7 @@ struct BlobDetector
 {
   const float* Responses[3] = { nullptr, nullptr, nullptr }; ///< of consecutive scales
   double LogSigmas[3] = { 0., 0., 0. };
-  CoarseLattice Lattice; ///< of all three
+  CoarseLattice Lattice;        ///< of all three
   Index Width[3] = { 1, 1, 1 }; ///< half a sigma in samples of the lattice, at least 1
   int Scale = 0;
   float Sign = -1.f;     ///< -1 finds bright blobs, 1 dark ones
@@ -214,7 +232,9 @@ private:
       blob.Position[a] = static_cast<double>(blob.Voxel[a]) + offset * static_cast<double>(stride);
     }
     const double values[3] = { this->Get(0, x, y, z), center, this->Get(2, x, y, z) };
-    blob.Sigma = std::exp(FitParabola(this->LogSigmas, values));
+    const double logSigma = FitParabola(this->LogSigmas, values);
+    blob.Sigma = std::exp(logSigma);
+    blob.Response += EvaluateParabola(this->LogSigmas, values, logSigma) - center;
     blob.Response *= -this->Sign;
     return blob;
   }

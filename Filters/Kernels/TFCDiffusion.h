@@ -35,32 +35,20 @@ namespace tfc
 constexpr int MaximumCycleSteps = 6;
 
 /**
- * Step lengths that together last `time`, in cycles of equal length: the first of a cycle is at a
- * multiple of the cycle's length n. `longestStable` is tau_max, for distances h_a between the
- * samples 1 / (2 sum of 1 / h_a^2). Empty for a time that is not positive.
+ * The longest time of a cycle of n steps: `longestStable` is tau_max, for distances h_a between
+ * the samples 1 / (2 sum of 1 / h_a^2).
  */
-struct DiffusionSchedule
+inline double GetLongestCycle(int n, double longestStable)
 {
-  int CycleSteps = 0;
-  std::vector<double> Steps;
-};
+  return longestStable * n * (n + 1) / 3.;
+}
 
-inline DiffusionSchedule MakeDiffusionSchedule(double time, double longestStable,
-  int longestCycle = MaximumCycleSteps)
+/**
+ * The lengths of the n steps of a cycle that lasts `time`, at most GetLongestCycle(). Long steps
+ * stand between short ones, or rounding errors would grow: every kappa-th modulo a prime.
+ */
+inline std::vector<double> MakeCycle(int n, double time)
 {
-  DiffusionSchedule schedule;
-  if (!(time > 0.))
-  {
-    return schedule;
-  }
-  const double longest = longestStable * longestCycle * (longestCycle + 1) / 3.;
-  // The tolerance is for times that are multiples of a cycle but for rounding.
-  const int cycles = std::max(1, static_cast<int>(std::ceil(time / longest - 1e-9)));
-  const double each = time / cycles;
-  const int n = std::max(1,
-    static_cast<int>(std::ceil(std::sqrt(3. * each / longestStable + 0.25) - 0.5 - 1e-9)));
-  const double q = 3. * each / (longestStable * n * (n + 1));
-  // Long steps between short ones, or rounding errors would grow: every kappa-th modulo a prime.
   const auto isPrime = [](int p)
   {
     for (int d = 2; d * d <= p; ++d)
@@ -78,22 +66,17 @@ inline DiffusionSchedule MakeDiffusionSchedule(double time, double longestStable
     ++prime;
   }
   const int kappa = std::max(1, n / 2);
-  std::vector<double> cycle;
-  for (int k = 1; static_cast<int>(cycle.size()) < n; ++k)
+  std::vector<double> steps;
+  for (int k = 1; static_cast<int>(steps.size()) < n; ++k)
   {
     const int j = (k * kappa) % prime - 1;
     if (j >= 0 && j < n)
     {
       const double cosine = std::cos(3.14159265358979323846 * (2 * j + 1) / (4 * n + 2));
-      cycle.push_back(q * longestStable / (2. * cosine * cosine));
+      steps.push_back(1.5 * time / (n * (n + 1) * cosine * cosine));
     }
   }
-  schedule.CycleSteps = n;
-  for (int i = 0; i < cycles; ++i)
-  {
-    schedule.Steps.insert(schedule.Steps.end(), cycle.begin(), cycle.end());
-  }
-  return schedule;
+  return steps;
 }
 
 /**
@@ -145,31 +128,44 @@ inline void ForRow(Index n, const Sample& sample)
 }
 
 /**
- * One step from `from` to `to` for slice z; the conductance comes from `cycle`, the lattice at the
- * beginning of the cycle. `to` must be another lattice than both. `Masked` must be true when
- * the lattice may hold NaN.
+ * One step from `from` to `to` for the slices [begin, end); the conductance comes from `cycle`, the
+ * lattice at the beginning of the cycle. `to` must be another lattice than both. `Masked` must be
+ * true when the lattice may hold NaN.
  */
 template <bool Nonlinear, bool Masked>
-inline void DiffuseSlice(const float* from, const float* cycle, const Index n[3],
-  const DiffusionCoefficients& coefficients, Index z, float* to)
+inline void DiffuseSlices(const float* from, const float* cycle, const Index n[3],
+  const DiffusionCoefficients& coefficients, Index begin, Index end, float* to)
 {
   const float fx = coefficients.Flux[0], fy = coefficients.Flux[1], fz = coefficients.Flux[2];
   const float ex = coefficients.Edge[0], ey = coefficients.Edge[1], ez = coefficients.Edge[2];
-  const auto flux = [](float here, float there, float gHere, float gThere, float f, float e)
+  // What flows in over two opposite faces, with one division for both. Opposite ones are treated
+  // alike: a mirrored lattice gives mirrored bits.
+  const auto flux =
+    [](float here, float low, float high, float gHere, float gLow, float gHigh, float f, float e)
   {
-    float result = (there - here) * f;
-    if constexpr (Nonlinear)
-    {
-      const float g = gThere - gHere;
-      result = result / (1.f + g * g * e);
-    }
+    float fromLow = low - here, fromHigh = high - here;
     if constexpr (Masked)
     {
-      result = IsValid(result) ? result : 0.f;
+      fromLow = IsValid(fromLow) ? fromLow : 0.f;
+      fromHigh = IsValid(fromHigh) ? fromHigh : 0.f;
     }
-    return result;
+    if constexpr (!Nonlinear)
+    {
+      return (fromLow + fromHigh) * f;
+    }
+    else
+    {
+      float toLow = gLow - gHere, toHigh = gHigh - gHere;
+      if constexpr (Masked)
+      {
+        toLow = IsValid(toLow) ? toLow : 0.f;
+        toHigh = IsValid(toHigh) ? toHigh : 0.f;
+      }
+      const float a = 1.f + toLow * toLow * e, b = 1.f + toHigh * toHigh * e;
+      return (fromLow * b + fromHigh * a) * f / (a * b);
+    }
   };
-  for (Index y = 0; y < n[1]; ++y)
+  const auto row = [&](Index y, Index z)
   {
     const NeighborRows u(from, n, y, z), g(cycle, n, y, z);
     const float* __restrict uc = u.Center;
@@ -187,13 +183,23 @@ inline void DiffuseSlice(const float* from, const float* cycle, const Index n[3]
       [=](Index x, Index low, Index high)
       {
         const float c = uc[x], d = gc[x];
-        // Sums of opposite faces first: a mirrored lattice then gives mirrored bits.
-        const float alongX =
-          flux(c, uc[low], d, gc[low], fx, ex) + flux(c, uc[high], d, gc[high], fx, ex);
-        const float alongY = flux(c, ul[x], d, gl[x], fy, ey) + flux(c, uh[x], d, gh[x], fy, ey);
-        const float alongZ = flux(c, ub[x], d, gb[x], fz, ez) + flux(c, ut[x], d, gt[x], fz, ez);
+        const float alongX = flux(c, uc[low], uc[high], d, gc[low], gc[high], fx, ex);
+        const float alongY = flux(c, ul[x], uh[x], d, gl[x], gh[x], fy, ey);
+        const float alongZ = flux(c, ub[x], ut[x], d, gb[x], gt[x], fz, ez);
         out[x] = c + ((alongX + alongY) + alongZ);
       });
+  };
+  // Bands of rows, of which three slices of both lattices fit into the second-level cache.
+  const Index band = std::max<Index>(4, (Index{ 1 } << 14) / n[0]);
+  for (Index first = 0; first < n[1]; first += band)
+  {
+    for (Index z = begin; z < end; ++z)
+    {
+      for (Index y = first; y < std::min(n[1], first + band); ++y)
+      {
+        row(y, z);
+      }
+    }
   }
 }
 

@@ -87,9 +87,10 @@ struct ScaleSpacePlan
   int Dimension = 0;          ///< axes with more than one sample
 
   /**
-   * How far, in samples, the responses and a comparison with their neighbours reach.
+   * How far, in samples, the responses and a comparison with their neighbours reach: a sample per
+   * step, but no more than six sigma. What lies beyond that changes them by less than rounding.
    */
-  Index GetReach() const
+  Index GetReach(double shortestDistance) const
   {
     Index reach = 0, last = 1;
     for (const ScaleSpaceAction& action : this->Actions)
@@ -97,7 +98,8 @@ struct ScaleSpacePlan
       last = std::max({ action.Stride[0], action.Stride[1], action.Stride[2] });
       reach += action.Kind == ScaleSpaceAction::Diffuse ? last : 0;
     }
-    return reach + 3 * last;
+    const double sigma = this->Sigmas.empty() ? 0. : this->Sigmas.back();
+    return std::min(reach, static_cast<Index>(std::ceil(6. * sigma / shortestDistance))) + 3 * last;
   }
 };
 
@@ -168,60 +170,75 @@ private:
   }
 
   /**
-   * The longest cycles with which the result is a Gaussian within FourthOrderTolerance. To the
-   * fourth order in frequency w, differences in space widen it by extra T w^4 / 2 and steps in time
-   * narrow it by sum tau^2 w^4 / 2: steps as long as the extra variance make up for it.
+   * The steps to a larger variance, in cycles of equal length: the fewest with which the result is
+   * a Gaussian within FourthOrderTolerance. To the fourth order in the frequency w, differences in
+   * space widen it by extra T w^4 / 2 and steps in time narrow it by sum tau^2 w^4 / 2: steps as
+   * long as the extra variance make up for it.
    */
-  DiffusionSchedule MakeSchedule(double variance, double longestStable)
+  std::vector<double> MakeSteps(double variance, double longestStable, int& cycleSteps)
   {
     const double time = 0.5 * (variance - this->Variance), extra = this->GetExtraVariance();
     const double tolerated = FourthOrderTolerance * variance * variance;
-    DiffusionSchedule schedule;
-    // Cycles of two steps are worse than single steps.
-    for (const int cycle : { 6, 5, 4, 3, 1, 1 })
+    for (int count = 1;; ++count)
     {
-      const bool isLast = cycle == 1 && schedule.CycleSteps == 1;
-      const double longest = isLast ? std::min(longestStable, extra) : longestStable;
-      schedule = MakeDiffusionSchedule(time, longest, cycle);
-      double error = this->FourthOrder - std::max(0., time) * extra;
-      for (const double step : schedule.Steps)
+      for (int n = MaximumCycleSteps; n > 0; --n)
       {
-        error += step * step;
-      }
-      if (error <= tolerated || isLast)
-      {
-        this->FourthOrder = error;
-        break;
+        const int cycles = count / n;
+        if (count % n != 0 || time > cycles * GetLongestCycle(n, longestStable))
+        {
+          continue;
+        }
+        const std::vector<double> cycle = MakeCycle(n, time / cycles);
+        double error = this->FourthOrder - time * extra;
+        for (const double step : cycle)
+        {
+          error += cycles * step * step;
+        }
+        if (error <= tolerated || (n == 1 && time <= extra * count))
+        {
+          this->FourthOrder = error;
+          cycleSteps = n;
+          std::vector<double> steps;
+          for (int i = 0; i < cycles; ++i)
+          {
+            steps.insert(steps.end(), cycle.begin(), cycle.end());
+          }
+          return steps;
+        }
       }
     }
-    return schedule;
   }
 
   /// Diffuse up to a variance.
   void Diffuse(double variance, bool nonlinear)
   {
+    if (!(variance > this->Variance))
+    {
+      return;
+    }
     double sum = 0.;
     for (int a = 0; a < 3; ++a)
     {
       sum += this->IsUsed(a) ? 1. / (this->GetSpacing(a) * this->GetSpacing(a)) : 0.;
     }
-    const DiffusionSchedule schedule = this->MakeSchedule(variance, 0.5 / sum);
-    for (size_t i = 0; i < schedule.Steps.size(); ++i)
+    int cycleSteps = 1;
+    const std::vector<double> steps = this->MakeSteps(variance, 0.5 / sum, cycleSteps);
+    for (size_t i = 0; i < steps.size(); ++i)
     {
       ScaleSpaceAction action = this->MakeAction(ScaleSpaceAction::Diffuse);
-      action.BeginsCycle = !nonlinear || i % schedule.CycleSteps == 0;
+      action.BeginsCycle = !nonlinear || i % cycleSteps == 0;
       action.Nonlinear = nonlinear;
       for (int a = 0; a < 3; ++a)
       {
         const double h = this->GetSpacing(a);
         const double edge = nonlinear ? this->Shortest / (h * this->Parameters.Conductance) : 0.;
         action.Coefficients.Flux[a] =
-          this->IsUsed(a) ? static_cast<float>(schedule.Steps[i] / (h * h)) : 0.f;
+          this->IsUsed(a) ? static_cast<float>(steps[i] / (h * h)) : 0.f;
         action.Coefficients.Edge[a] = this->IsUsed(a) ? static_cast<float>(edge * edge) : 0.f;
       }
       this->Plan.Actions.push_back(action);
     }
-    this->Variance = std::max(this->Variance, variance);
+    this->Variance = variance;
   }
 
   void Reach(double sigma)
@@ -287,7 +304,6 @@ struct CoarseLattice
 
   Index GetSize() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
 };
-
 /**
  * Of the samples [offset, offset + size) of the volume, those on the lattice with this stride.
  */
