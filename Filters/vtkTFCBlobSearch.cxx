@@ -194,6 +194,7 @@ bool vtkTFCBlobSearch::Halve(const tfc::ScaleSpaceAction& action)
     *lattice = to;
   }
   this->Lattice = coarse;
+  this->IsHalved = true;
   return true;
 }
 
@@ -243,6 +244,8 @@ bool vtkTFCBlobSearch::Find(const float* response, const std::vector<double>& si
   detector.Responses[2] = response;
   detector.Lattice = this->Lattice;
   detector.Scale = this->NumberOfResponses - 2;
+  detector.IsHalved = this->IsHalved;
+  this->IsHalved = false;
   detector.Threshold = static_cast<float>(this->Threshold);
   for (int i = 0; i < 3; ++i)
   {
@@ -279,6 +282,11 @@ bool vtkTFCBlobSearch::Find(const float* response, const std::vector<double>& si
   {
     std::vector<tfc::Blob>& all = this->Blobs[detector.Scale];
     all.insert(all.end(), found.begin(), found.end());
+  }
+  if (detector.IsHalved)
+  {
+    tfc::RemoveDuplicates(this->Blobs[detector.Scale - 1], this->Blobs[detector.Scale],
+      this->Lattice.Stride);
   }
   return true;
 }

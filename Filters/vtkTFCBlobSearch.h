@@ -93,6 +93,7 @@ private:
   float* Older = nullptr;   // the responses of the scale before the last
   float* Old = nullptr;     // those of the last scale
   int NumberOfResponses = 0;
+  bool IsHalved = false; // since the last response
 };
 
 #endif

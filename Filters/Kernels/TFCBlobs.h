@@ -13,6 +13,11 @@
  * any scale. A blob is as wide as its scale: half a sigma away along each axis the response must
  * still be a part, SmallestPlateau, of the maximum. For a ball it is about 0.9.
  *
+ * Where the resolution is halved, a scale is compared with the one above on the coarser lattice,
+ * and had been compared with the one below on the finer: a blob between the two could fail in both.
+ * The second comparison is therefore made with a tolerance, HalvingTolerance, and
+ * RemoveDuplicates() takes away what was found twice.
+ *
  * Responses are Laplacians: bright blobs are negative ones. Invalid samples have the response 0,
  * and a threshold above 0 keeps them from being maxima.
  *
@@ -25,11 +30,13 @@
 
 #include "TFCScaleSpace.h"
 
+#include <cstdlib>
 #include <vector>
 
 namespace tfc
 {
 constexpr float SmallestPlateau = 0.3f;
+constexpr float HalvingTolerance = 0.05f;
 
 /**
  * A blob. Position and Voxel count samples of the whole volume.
@@ -103,6 +110,7 @@ struct BlobDetector
   int Scale = 0;
   float Sign = -1.f;     ///< -1 finds bright blobs, 1 dark ones
   float Threshold = 0.f; ///< magnitude of the response, above 0
+  bool IsHalved = false; ///< whether Lattice is coarser than the middle scale's own
 
   /// Append the blobs of slice z, in the order of their samples.
   void FindInSlice(Index z, std::vector<Blob>& found) const
@@ -144,17 +152,21 @@ private:
     const float* __restrict zh = rows.ZHigh + x0;
     const float* __restrict below = this->Responses[0] + start + x0;
     const float* __restrict above = this->Responses[2] + start + x0;
+    const float signBelow = sign / this->GetFactorBelow();
     unsigned char any = 0;
     for (Index i = 0; i < count; ++i)
     {
       const float v = sign * c[i];
       const bool pass = (v > threshold) & (v >= sign * yl[i]) & (v >= sign * yh[i]) &
-        (v >= sign * zl[i]) & (v >= sign * zh[i]) & (v > sign * below[i]) & (v >= sign * above[i]);
+        (v >= sign * zl[i]) & (v >= sign * zh[i]) & (v > signBelow * below[i]) &
+        (v >= sign * above[i]);
       candidates[i] = pass ? 1 : 0;
       any = static_cast<unsigned char>(any | candidates[i]);
     }
     return any != 0;
   }
+
+  float GetFactorBelow() const { return this->IsHalved ? 1.f + HalvingTolerance : 1.f; }
 
   float Get(int scale, Index x, Index y, Index z) const
   {
@@ -168,6 +180,7 @@ private:
     const float v = this->Get(1, x, y, z);
     for (int scale = 0; scale < 3; ++scale)
     {
+      const float factor = scale == 0 ? 1.f / this->GetFactorBelow() : 1.f;
       for (Index dz = z > 0 ? -1 : 0; dz <= (z + 1 < n[2] ? 1 : 0); ++dz)
       {
         for (Index dy = y > 0 ? -1 : 0; dy <= (y + 1 < n[1] ? 1 : 0); ++dy)
@@ -175,7 +188,7 @@ private:
           for (Index dx = x > 0 ? -1 : 0; dx <= (x + 1 < n[0] ? 1 : 0); ++dx)
           {
             const Index order = ((scale - 1) * 3 + dz) * 9 + dy * 3 + dx;
-            const float other = this->Get(scale, x + dx, y + dy, z + dz);
+            const float other = factor * this->Get(scale, x + dx, y + dy, z + dz);
             if (order != 0 && (order < 0 ? !(v > other) : !(v >= other)))
             {
               return false;
@@ -239,6 +252,52 @@ private:
     return blob;
   }
 };
+
+/**
+ * Of blobs of the same polarity in consecutive scales that lie within `stride` samples of each
+ * other keep the one with the stronger response. Both lists are, and stay, sorted by z of Voxel.
+ */
+inline void RemoveDuplicates(std::vector<Blob>& below, std::vector<Blob>& above,
+  const Index stride[3])
+{
+  std::vector<bool> dropBelow(below.size(), false), dropAbove(above.size(), false);
+  for (size_t i = 0; i < above.size(); ++i)
+  {
+    const Blob& blob = above[i];
+    const auto first = std::lower_bound(below.begin(), below.end(), blob.Voxel[2] - stride[2],
+      [](const Blob& b, Index z) { return b.Voxel[2] < z; });
+    for (auto other = first; other != below.end(); ++other)
+    {
+      if (other->Voxel[2] > blob.Voxel[2] + stride[2])
+      {
+        break;
+      }
+      const bool same = std::abs(other->Voxel[0] - blob.Voxel[0]) <= stride[0] &&
+        std::abs(other->Voxel[1] - blob.Voxel[1]) <= stride[1] &&
+        (other->Response > 0.) == (blob.Response > 0.);
+      if (same)
+      {
+        const bool keepsAbove = std::fabs(blob.Response) > std::fabs(other->Response);
+        dropAbove[i] = dropAbove[i] || !keepsAbove;
+        dropBelow[other - below.begin()] = dropBelow[other - below.begin()] || keepsAbove;
+      }
+    }
+  }
+  const auto drop = [](std::vector<Blob>& blobs, const std::vector<bool>& dropped)
+  {
+    size_t kept = 0;
+    for (size_t i = 0; i < blobs.size(); ++i)
+    {
+      if (!dropped[i])
+      {
+        blobs[kept++] = blobs[i];
+      }
+    }
+    blobs.resize(kept);
+  };
+  drop(below, dropBelow);
+  drop(above, dropAbove);
+}
 }
 
 #endif
