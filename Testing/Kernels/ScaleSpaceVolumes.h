@@ -57,8 +57,8 @@ inline std::vector<Responses> ComputeResponses(const tfc::ScaleSpacePlan& plan,
       cycle = action.BeginsCycle ? current : cycle;
       if (action.Nonlinear)
       {
-        tfc::DiffuseSlices<true, true>(current.data(), cycle.data(), next.Size,
-          action.Coefficients, 0, slices, result.data());
+        tfc::DiffuseSlices<true, true>(current.data(), cycle.data(), next.Size, action.Coefficients,
+          0, slices, result.data());
       }
       else
       {
