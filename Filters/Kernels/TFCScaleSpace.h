@@ -41,6 +41,11 @@ constexpr Index FewestCoarseSamples = 8;
 constexpr double FourthOrderTolerance = 0.004;
 
 /**
+ * The first and the last scale serve comparison only: they are no farther from their neighbours.
+ */
+constexpr double LargestGuardRatio = 1.5;
+
+/**
  * What the plan depends on: the whole volume's samples per axis, their distances, and the radii, in
  * one unit of length. The conductance is a difference per shortest distance; linear if 0.
  */
@@ -129,11 +134,18 @@ public:
     const double ratio =
       std::pow(parameters.LargestRadius / parameters.SmallestRadius, 1. / std::max(1, last - 1));
     const double first = parameters.SmallestRadius / std::sqrt(1. * this->Plan.Dimension);
-    for (int i = -1; i <= last; ++i)
+    const double guard = std::min(ratio, LargestGuardRatio);
+    const auto add = [this](double sigma)
     {
-      this->Reach(first * std::pow(ratio, i));
+      this->Reach(sigma);
       this->Respond();
+    };
+    add(first / guard);
+    for (int i = 0; i < last; ++i)
+    {
+      add(first * std::pow(ratio, i));
     }
+    add(first * std::pow(ratio, last - 1) * guard);
   }
 
   ScaleSpacePlan Plan;
