@@ -10,6 +10,7 @@ scripttest.load_plugin(globals())
 from tfc.vtk.vtkTFCFilters import vtkTFCFeatureSize
 
 source = Wavelet(WholeExtent=[0, 59, 0, 49, 0, 39])
+source.UpdatePipeline()
 size = VolumeFeatureSize(Input=source, InputArray=["POINTS", "RTData"])
 defaults = {
     "LengthUnit": "Voxels", "SmallestSize": 2.5, "LargestSize": 25, "Polarity": "Bright",
@@ -33,8 +34,7 @@ size.Polarity = "Both"
 size.UpdatePipeline()
 scripttest.check(size.PointData.keys() == ["RTData", "RTData_size"], "the arrays pass through")
 scripttest.check(isinstance(size.GetClientSideObject(), vtkTFCFeatureSize), "wrapped class")
-scripttest.check([size.GetOutputPort(i).Name if hasattr(size.GetOutputPort(i), "Name")
-                  else size.SMProxy.GetOutputPortName(i) for i in (0, 1)] == ["Volume", "Blobs"],
+scripttest.check([size.SMProxy.GetOutputPortName(i) for i in (0, 1)] == ["Volume", "Blobs"],
                  "names of the outputs")
 blobs = servermanager.Fetch(size, idx=1)
 count = blobs.GetNumberOfPoints()
@@ -48,8 +48,7 @@ fresh = VolumeFeatureSize(Input=source, InputArray=["POINTS", "RTData"], Smalles
                           LargestSize=15, Polarity="Both")
 glyphs = Threshold(Input=OutputPort(fresh, 1), Scalars=["POINTS", "response"])
 glyphs.UpdatePipeline()
-scripttest.check(servermanager.Fetch(OutputPort(fresh, 1)).GetNumberOfPoints() == count,
-                 "blobs alone")
+scripttest.check(servermanager.Fetch(fresh, idx=1).GetNumberOfPoints() == count, "blobs alone")
 
 more = Calculator(Input=source, ResultArrayName="inverse", Function="-RTData")
 several = VolumeFeatureSize(Input=more, InputArray=["POINTS", "RTData"], MoreArrays=["inverse"],
