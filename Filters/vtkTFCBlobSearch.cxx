@@ -6,6 +6,7 @@
 #include "vtkTFCThreads.h"
 
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -110,9 +111,10 @@ bool vtkTFCBlobSearch::Scale()
 {
   this->Current = this->Take();
   const float low = static_cast<float>(this->Range[0]), high = static_cast<float>(this->Range[1]);
-  const float scale = this->Range[1] > this->Range[0]
-    ? static_cast<float>(1. / (this->Range[1] - this->Range[0]))
-    : 0.f;
+  // A range that floats cannot resolve is none, as is one of a single value.
+  const double range = this->Range[1] - this->Range[0];
+  const float scale =
+    range > std::numeric_limits<float>::min() ? static_cast<float>(1. / range) : 0.f;
   const float* in = this->Values;
   float* out = this->Current;
   const tfc::Index slice = this->Size[0] * this->Size[1];

@@ -17,6 +17,7 @@
 #define vtkTFCBlobSearch_h
 
 #include "Kernels/TFCBlobs.h"
+#include "Kernels/TFCPyramid.h"
 #include "Kernels/TFCScaleSpace.h"
 #include "vtkTFCLargeBuffer.h"
 

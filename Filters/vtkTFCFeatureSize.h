@@ -24,11 +24,11 @@
  * Invalid samples (see vtkTFCPropertyFilter) are walls through which nothing diffuses; they get
  * NaN, and no blob has its maximum there. The volume's border is such a wall, too.
  *
- * Cost: proportional to the number of samples, and about to the square of the spacings per
- * smallest 4 sigma, as resolution is halved whenever sigma reaches 4 samples; then the blobs'
- * volumes. Temporary memory: 20 bytes per sample, halo included. The halo on several processes
- * is what a result can depend on, 167 samples with the defaults (nine times the largest sigma): pieces thinner than
- * that mean much repeated work.
+ * Cost: some forty steps of diffusion up to a sigma of four samples, from where on half the
+ * resolution suffices, so that larger sizes add an eighth of that per doubling; then the blobs'
+ * volumes. Temporary memory: 20 bytes per sample, halo included. On several processes the halo
+ * is what a result can depend on, about nine times the largest sigma and 167 samples with the
+ * defaults: pieces thinner than that repeat much of the work, and need its memory.
  */
 
 #ifndef vtkTFCFeatureSize_h
@@ -129,7 +129,7 @@ public:
   ///@{
   /**
    * Magnitude of the response, of the intensity in [0, 1], that a blob exceeds: about 0.9 times the
-   * contrast of the faintest object. Positive. Default 0.1.
+   * contrast of the faintest object. Positive. Default 0.08.
    */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
@@ -164,7 +164,7 @@ protected:
   int NumberOfScales = 12;
   double SmallestSize = 2.5;
   double LargestSize = 25.;
-  double Threshold = 0.1;
+  double Threshold = 0.08;
 
 private:
   struct Internals;

@@ -28,7 +28,8 @@
 #ifndef TFCBlobs_h
 #define TFCBlobs_h
 
-#include "TFCScaleSpace.h"
+#include "TFCDiffusion.h"
+#include "TFCPyramid.h"
 
 #include <cstdlib>
 #include <vector>

@@ -246,7 +246,9 @@ private:
         const double edge = nonlinear ? this->Shortest / (h * this->Parameters.Conductance) : 0.;
         action.Coefficients.Flux[a] =
           this->IsUsed(a) ? static_cast<float>(steps[i] / (h * h)) : 0.f;
-        action.Coefficients.Edge[a] = this->IsUsed(a) ? static_cast<float>(edge * edge) : 0.f;
+        // Bounded: what is smaller than any difference of floats need not be told from 0.
+        action.Coefficients.Edge[a] =
+          this->IsUsed(a) ? static_cast<float>(std::min(edge * edge, 1e15)) : 0.f;
       }
       this->Plan.Actions.push_back(action);
     }
@@ -304,58 +306,6 @@ private:
   double Variance = 0.;
   double FourthOrder = 0.; ///< sum of tau^2 - extra T, see MakeSchedule()
 };
-
-/**
- * A part of the whole volume on a lattice of the pyramid: sample i lies at (First + i) * Stride.
- */
-struct CoarseLattice
-{
-  Index Stride[3] = { 1, 1, 1 };
-  Index First[3] = { 0, 0, 0 };
-  Index Size[3] = { 0, 0, 0 };
-
-  Index GetSize() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
-};
-/**
- * Of the samples [offset, offset + size) of the volume, those on the lattice with this stride.
- */
-inline CoarseLattice MakeCoarseLattice(const Index offset[3], const Index size[3],
-  const Index stride[3])
-{
-  CoarseLattice lattice;
-  for (int a = 0; a < 3; ++a)
-  {
-    lattice.Stride[a] = stride[a];
-    lattice.First[a] = (offset[a] + stride[a] - 1) / stride[a];
-    const Index last = (offset[a] + size[a] - 1) / stride[a];
-    lattice.Size[a] = std::max<Index>(0, last - lattice.First[a] + 1);
-  }
-  return lattice;
-}
-
-/**
- * Slice z of a coarse lattice from a finer one.
- */
-inline void SubsampleSlice(const float* fine, const CoarseLattice& from, const CoarseLattice& to,
-  Index z, float* coarse)
-{
-  Index step[3], start[3];
-  for (int a = 0; a < 3; ++a)
-  {
-    step[a] = to.Stride[a] / from.Stride[a];
-    start[a] = to.First[a] * step[a] - from.First[a];
-  }
-  for (Index y = 0; y < to.Size[1]; ++y)
-  {
-    const float* in = fine + start[0] +
-      ((start[2] + z * step[2]) * from.Size[1] + start[1] + y * step[1]) * from.Size[0];
-    float* out = coarse + (z * to.Size[1] + y) * to.Size[0];
-    for (Index x = 0; x < to.Size[0]; ++x)
-    {
-      out[x] = in[x * step[0]];
-    }
-  }
-}
 }
 
 #endif

@@ -155,7 +155,7 @@ TEST(FeatureSizeBlobs, ExtremesOfTheParameters)
     filter->SetNumberOfScales(scales);
     filter->SetSmallestSize(1.5);
     filter->SetLargestSize(30.);
-    filter->SetConductance(scales == 3 ? 1e-4 : 1e4);
+    filter->SetConductance(scales == 3 ? 1e-30 : 1e30);
     filter->SetThreshold(1e-6);
     filter->SetPolarity(vtkTFCFeatureSize::BOTH);
     vtkDataArray* sizes = Compute(filter.Get(), image, "a_size");
@@ -163,6 +163,21 @@ TEST(FeatureSizeBlobs, ExtremesOfTheParameters)
     EXPECT_GE(sizes->GetRange()[0], 0.);
     EXPECT_LE(sizes->GetRange()[1], 30. * std::sqrt(20.));
     EXPECT_TRUE(scales < 100 || filter->GetBlobs()->GetNumberOfPoints() > 0);
+  }
+}
+
+TEST(FeatureSizeBlobs, RangesAtTheLimitsOfFloats)
+{
+  const Function ball = MakeBalls({ { { 30., 24., 24. }, 7., 1. } });
+  for (const double factor : { 1e-42, 1e-37, 1e37, 1.6e38 })
+  {
+    const auto image = MakeVolume(56, 50, 48,
+      [&](int x, int y, int z) { return factor * (2. * ball(x, y, z) - 1.); });
+    vtkNew<vtkTFCFeatureSize> filter;
+    vtkDataArray* sizes = Compute(filter.Get(), image, "a_size");
+    ASSERT_NE(sizes, nullptr);
+    const double expected = factor < 1e-40 ? 0. : 7.;
+    EXPECT_NEAR(GetSizeAt(image, sizes, 30., 24., 24.), expected, 0.4) << factor;
   }
 }
 

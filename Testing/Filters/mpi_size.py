@@ -7,7 +7,6 @@ Run as: mpirun -np N pvbatch --sym mpi_size.py
 import sys
 
 import numpy as np
-from mpi4py import MPI
 from paraview.simple import *
 from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
@@ -16,6 +15,12 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 import scripttest
+
+try:
+    from mpi4py import MPI
+except ImportError as error:
+    scripttest.skip("needs mpi4py (Debian: python3-mpi4py): %s" % error)
+
 from tfc.vtk.vtkTFCFilters import vtkTFCFeatureSize
 
 scripttest.load_plugin(globals())
@@ -142,11 +147,16 @@ compare_all(COMPACT, 15.0, holes=True)
 wavelet = Wavelet(WholeExtent=[0, 59, 0, 49, 0, 39])
 size = VolumeFeatureSize(Input=wavelet, InputArray=["POINTS", "RTData"], SmallestSize=2.5,
                          LargestSize=15, Polarity="Both", Threshold=0.02)
-shrunk = Calculator(Input=OutputPort(size, 1), ResultArrayName="twice", Function="2*size")
-shrunk.UpdatePipeline()
+twice = Calculator(Input=OutputPort(size, 1), ResultArrayName="twice", Function="2*size")
+twice.UpdatePipeline()
 native = size.GetClientSideObject()
 scripttest.check(native.GetController() == controller, "global controller is the default")
 own = blobs(native.GetBlobs())
+ghosts = GhostCellsGenerator(Input=wavelet, BuildIfRequired=0, MinimumNumberOfGhosts=3)
+layers = VolumeFeatureSize(Input=ghosts, InputArray=["POINTS", "RTData"], SmallestSize=2.5,
+                           LargestSize=15, Polarity="Both", Threshold=0.02)
+layers.UpdatePipeline()
+from_ghosts = blobs(layers.GetClientSideObject().GetBlobs())
 reference = make(15, Controller=vtkDummyController(), Threshold=0.02)
 reference.SetNumberOfScales(12)
 serial = vtkRTAnalyticSource()
@@ -155,8 +165,9 @@ serial.Update()
 reference.SetInputData(serial.GetOutput())
 reference.SetInputArrayToProcess(0, 0, 0, 0, "RTData")
 reference.Update()
-gathered = np.vstack(MPI.COMM_WORLD.allgather(own))
 count = reference.GetBlobs().GetNumberOfPoints()
-scripttest.check(len(gathered) == count, "blobs alone: %d, expected %d" % (len(gathered), count))
+for what, rows in (("blobs alone", own), ("ghost layers", from_ghosts)):
+    number = len(np.vstack(MPI.COMM_WORLD.allgather(rows)))
+    scripttest.check(number == count, "%s: %d blobs, expected %d" % (what, number, count))
 controller.Barrier()
 sys.stdout.flush()

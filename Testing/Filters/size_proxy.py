@@ -14,7 +14,7 @@ source.UpdatePipeline()
 size = VolumeFeatureSize(Input=source, InputArray=["POINTS", "RTData"])
 defaults = {
     "LengthUnit": "Voxels", "SmallestSize": 2.5, "LargestSize": 25, "Polarity": "Bright",
-    "Threshold": 0.1, "UseIntensityRange": 0, "ScaleSpace": "Nonlinear", "Conductance": 0.5,
+    "Threshold": 0.08, "UseIntensityRange": 0, "ScaleSpace": "Nonlinear", "Conductance": 0.5,
     "NumberOfScales": 12, "Component": 0,
 }
 native = vtkTFCFeatureSize()

@@ -9,6 +9,8 @@
 #define ScaleSpaceVolumes_h
 
 #include "Filters/Kernels/TFCBlobs.h"
+#include "Filters/Kernels/TFCPyramid.h"
+#include "Filters/Kernels/TFCScaleSpace.h"
 
 #include <cmath>
 #include <limits>
