@@ -302,6 +302,7 @@ bool vtkTFCFeatureSize::ComputeProperties(const Field& field, const std::vector<
   for (const std::vector<tfc::Blob>& blobs : search.Blobs)
   {
     std::vector<tfc::SizedBlob> sized;
+    sized.reserve(blobs.size());
     for (const tfc::Blob& blob : blobs)
     {
       sized.push_back({ { blob.Position[0], blob.Position[1], blob.Position[2] },

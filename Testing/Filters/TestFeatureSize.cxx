@@ -64,9 +64,10 @@ TEST(FeatureSize, NoisyPhantom)
         for (int i = 0; i < 27; ++i)
         {
           const double step = 0.28 * ball.Radius;
-          const double x = ball.Center[0] + (i % 3 - 1) * step;
-          const double y = ball.Center[1] + (i / 3 % 3 - 1) * step;
-          const double z = ball.Center[2] + (i / 9 - 1) * step;
+          const int side[3] = { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 };
+          const double x = ball.Center[0] + side[0] * step;
+          const double y = ball.Center[1] + side[1] * step;
+          const double z = ball.Center[2] + side[2] * step;
           EXPECT_NEAR(GetSizeAt(image, sizes, x, y, z), ball.Radius, 0.1 * ball.Radius);
         }
       }

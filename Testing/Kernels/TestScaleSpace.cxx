@@ -25,12 +25,13 @@ tfc::ScaleSpaceParameters MakeParameters(const Size& n, double conductance)
 template <typename Function>
 std::vector<float> MakeRadial(const Size& n, const Function& f, const double spacing[3])
 {
+  const Size middle = { n[0] / 2, n[1] / 2, n[2] / 2 };
   return Make(n,
     [&](auto x, auto y, auto z)
     {
-      const double dx = static_cast<double>(x - n[0] / 2) * spacing[0];
-      const double dy = static_cast<double>(y - n[1] / 2) * spacing[1];
-      const double dz = static_cast<double>(z - n[2] / 2) * spacing[2];
+      const double dx = static_cast<double>(x - middle[0]) * spacing[0];
+      const double dy = static_cast<double>(y - middle[1]) * spacing[1];
+      const double dz = static_cast<double>(z - middle[2]) * spacing[2];
       return f(dx * dx + dy * dy + dz * dz);
     });
 }
