@@ -110,20 +110,23 @@ struct NeighborRows
 };
 
 /**
- * Call sample(x, low, high) for a row of n samples with the indices of the neighbours: the
- * interior in a loop that the compiler can vectorise.
+ * Call sample(x, low, high) for row (y, z) with the indices of the neighbours in x. Where the
+ * memory around the row belongs to the lattice, the vectorised loop begins with it, at an aligned
+ * address if rows are; its wrong first and last sample are then overwritten.
  */
 template <typename Sample>
-inline void ForRow(Index n, const Sample& sample)
+inline void ForRow(const Index n[3], Index y, Index z, const Sample& sample)
 {
-  sample(0, 0, n > 1 ? 1 : 0);
-  for (Index x = 1; x < n - 1; ++x)
+  const bool isFirst = y == 0 && z == 0, isLast = y + 1 == n[1] && z + 1 == n[2];
+  const Index begin = isFirst ? 1 : 0, end = isLast ? n[0] - 1 : n[0];
+  for (Index x = begin; x < end; ++x)
   {
     sample(x, x - 1, x + 1);
   }
-  if (n > 1)
+  sample(0, 0, n[0] > 1 ? 1 : 0);
+  if (n[0] > 1)
   {
-    sample(n - 1, n - 2, n - 1);
+    sample(n[0] - 1, n[0] - 2, n[0] - 1);
   }
 }
 
@@ -179,7 +182,7 @@ inline void DiffuseSlices(const float* from, const float* cycle, const Index n[3
     const float* __restrict gb = g.ZLow;
     const float* __restrict gt = g.ZHigh;
     float* __restrict out = to + (z * n[1] + y) * n[0];
-    ForRow(n[0],
+    ForRow(n, y, z,
       [=](Index x, Index low, Index high)
       {
         const float c = uc[x], d = gc[x];
@@ -229,7 +232,7 @@ inline void LaplacianSlice(const float* lattice, const Index n[3], const float w
     const float* __restrict ub = u.ZLow;
     const float* __restrict ut = u.ZHigh;
     float* __restrict out = to + (z * n[1] + y) * n[0];
-    ForRow(n[0],
+    ForRow(n, y, z,
       [=](Index x, Index low, Index high)
       {
         const float c = uc[x];
