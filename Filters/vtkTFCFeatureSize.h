@@ -11,7 +11,9 @@
  *    Gaussians, and in it the scale-normalised Laplacian sigma^2 Lap(L).
  * 3. Blobs are its extrema in space and scale whose magnitude exceeds Threshold. A blob has the
  *    radius sqrt(D) sigma, D the number of axes with more than one sample: that is the radius of
- *    a ball, whose response is 0.925 times its contrast.
+ *    a ball, whose response is 0.925 times its contrast (a disk's 0.74, a line's 0.48). It must
+ *    also be as wide as its scale, with 0.3 of the response half a sigma away: nonlinear diffusion
+ *    leaves uneven edges with narrow extrema of their own.
  * 4. Shepard's interpolation with Wendland polynomials of the radii within a scale, and the largest
  *    of the scales' values: the size, in LengthUnit. It is 0 where no blob reaches.
  *
@@ -20,6 +22,10 @@
  * uneven spacing that of the ball of equal volume), `scale` (sigma in LengthUnit), `response`
  * (positive for bright, negative for dark ones) and `array` (text: the name of the input array).
  * Each process has those whose maximum is at a sample that it owns.
+ *
+ * Accuracy: a ball from 4 samples of radius on gets its own within 3 % in the Gaussian and 6 % in
+ * the nonlinear scale space, where strong edges (contrast above Conductance) make it up to that
+ * much larger.
  *
  * Invalid samples (see vtkTFCPropertyFilter) are walls through which nothing diffuses; they get
  * NaN, and no blob has its maximum there. The volume's border is such a wall, too.
