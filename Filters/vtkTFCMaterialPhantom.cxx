@@ -3,6 +3,8 @@
 #include "vtkTFCMaterialPhantom.h"
 
 #include "Kernels/TFCPhantom.h"
+#include "vtkTFCLargeBuffer.h"
+#include "vtkTFCSimd.h"
 #include "vtkTFCThreads.h"
 
 #include "vtkFloatArray.h"
@@ -62,7 +64,9 @@ int vtkTFCMaterialPhantom::RequestData(vtkInformation* vtkNotUsed(request),
 
   vtkNew<vtkFloatArray> intensity;
   intensity->SetName("intensity");
-  intensity->SetNumberOfTuples(output->GetNumberOfPoints());
+  const vtkIdType count = output->GetNumberOfPoints();
+  intensity->SetArray(vtkTFCLargeBuffer::Allocate(count).release(), count, 0,
+    vtkFloatArray::VTK_DATA_ARRAY_FREE);
   vtkNew<vtkUnsignedCharArray> material;
   material->SetName("material");
   material->SetNumberOfTuples(output->GetNumberOfPoints());
@@ -75,28 +79,22 @@ int vtkTFCMaterialPhantom::RequestData(vtkInformation* vtkNotUsed(request),
   const auto position = [this](int axis, vtkIdType i)
   { return 2.0 * (static_cast<double>(i) + 0.5) / this->Dimensions[axis] - 1.0; };
   // Rows, so that there is work for every thread whatever the proportions.
-  vtkTFCThreads::ForWithProgress(0, ny * nz, 1, this, 0.0, 1.0,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType row = begin; row < end; ++row)
+  vtkTFCThreads::ForWithProgress(0, ny * nz, 16, this, 0.0, 1.0,
+    vtkTFCSimd::Vectorize(
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const vtkIdType j = extent[2] + row % ny;
-        const vtkIdType k = extent[4] + row / ny;
-        const double y = position(1, j);
-        const double z = position(2, k);
-        for (vtkIdType i = 0; i < nx; ++i)
+        for (vtkIdType row = begin; row < end; ++row)
         {
+          const vtkIdType j = extent[2] + row % ny;
+          const vtkIdType k = extent[4] + row / ny;
           // The index in the whole volume: what is drawn does not depend on the part asked for.
-          const vtkIdType index =
-            extent[0] + i + this->Dimensions[0] * (j + this->Dimensions[1] * k);
-          const int label =
-            tfc::PhantomMaterialAt(position(0, extent[0] + i), y, z, this->GeometryScale);
-          labels[row * nx + i] = static_cast<unsigned char>(label);
-          values[row * nx + i] = tfc::PhantomValue(label, static_cast<std::uint64_t>(this->Seed),
-            static_cast<std::uint64_t>(index), this->NoiseScale);
+          const vtkIdType index = this->Dimensions[0] * (j + this->Dimensions[1] * k);
+          tfc::PhantomRow(extent[0], nx, this->Dimensions[0], position(1, j), position(2, k),
+            this->GeometryScale, static_cast<std::uint64_t>(this->Seed),
+            static_cast<std::uint64_t>(index), this->NoiseScale, values + row * nx,
+            labels + row * nx);
         }
-      }
-    });
+      }));
   output->GetPointData()->SetScalars(intensity);
   output->GetPointData()->AddArray(material);
   return 1;

@@ -33,6 +33,9 @@ vtkCxxSetObjectMacro(vtkTFCPropertyFilter, Controller, vtkMultiProcessController
 
 namespace
 {
+const char* const ElsewhereProblem =
+  "Another process cannot use its piece of the input: see the message there.";
+
 //------------------------------------------------------------------------------
 vtkDataSetAttributes* GetAttributes(vtkDataSet* data, int association)
 {
@@ -171,10 +174,10 @@ struct vtkTFCPropertyFilter::Job
   vtkImageData* Input = nullptr;
   vtkImageData* Output = nullptr;
   int Association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  std::vector<vtkDataArray*> Arrays; // empty on a process without samples
-  size_t NumberOfArrays = 0;         // the same on all processes
+  std::vector<vtkDataArray*> Arrays; // none on a process without samples
   bool IsEmpty = false;
   const vtkTFCDistributedImage* Image = nullptr;
+  std::string Problem;
 };
 
 //------------------------------------------------------------------------------
@@ -287,9 +290,8 @@ bool vtkTFCPropertyFilter::ProcessArray(Job& job, size_t index)
   image.Maximum(field.Range + 1, 1);
   if (field.Range[0] > field.Range[1])
   {
-    vtkErrorMacro("The array '" << field.Name
-                                << "' has no valid value: all are NaN, infinite or blanked. Choose "
-                                   "another array. No array was added.");
+    job.Problem = "The array '" + field.Name +
+      "' has no valid value: all are NaN, infinite or blanked. Choose another array.";
     return false;
   }
 
@@ -318,16 +320,15 @@ bool vtkTFCPropertyFilter::ProcessArray(Job& job, size_t index)
     field.End[a] = localExtent[2 * a + 1] - extent[2 * a] + 1;
     field.Offset[a] = extent[2 * a] - whole[2 * a];
   }
-  std::string problem = this->CheckField(field);
-  if (problem.empty() && !job.IsEmpty)
+  field.HasInvalid = local && (found.HasNaN || found.HasOther);
+  job.Problem = this->CheckField(field);
+  if (job.Problem.empty() && !job.IsEmpty)
   {
-    problem = this->CheckMemory(job, field, local->NeedsCopy() || found.HasOther);
+    job.Problem = this->CheckMemory(job, field, local->NeedsCopy() || found.HasOther);
   }
-  if (!image.All(problem.empty()))
+  if (!image.All(job.Problem.empty()))
   {
-    vtkErrorMacro(<< (problem.empty() ? "Another process cannot go on: see the message there."
-                                      : problem)
-                  << " No array was added.");
+    job.Problem = job.Problem.empty() ? ElsewhereProblem : job.Problem;
     return false;
   }
 
@@ -371,6 +372,7 @@ bool vtkTFCPropertyFilter::ProcessArray(Job& job, size_t index)
       GetAttributes(job.Output, job.Association)->AddArray(result);
     }
   }
+  this->AddFieldData(field, job.Output->GetFieldData());
   return true;
 }
 
@@ -383,38 +385,45 @@ int vtkTFCPropertyFilter::RequestData(vtkInformation*, vtkInformationVector** in
   job.Output = vtkImageData::GetData(outputVector);
   job.Output->ShallowCopy(job.Input);
   job.IsEmpty = job.Input->GetNumberOfPoints() == 0;
-
-  std::string problem = this->CheckParameters();
+  job.Problem = this->CheckParameters();
   const std::string arrayProblem = this->FindArrays(job.Input, job);
-  problem = problem.empty() ? arrayProblem : problem;
+  job.Problem = job.Problem.empty() ? arrayProblem : job.Problem;
 
   // From here on every process takes the same way, whatever it found.
   const vtkTFCDistributedImage image(job.Input, job.Association, this->Controller);
   job.Image = &image;
-  if (!image.Any(!job.IsEmpty) && problem.empty())
+  if (!image.Any(!job.IsEmpty) && job.Problem.empty())
   {
-    problem = "The input is empty. Connect a volume with at least one point.";
+    job.Problem = "The input is empty. Connect a volume with at least one point.";
   }
-  if (!image.All(problem.empty()))
+  if (image.All(job.Problem.empty()))
   {
-    vtkErrorMacro(<< (problem.empty()
-                         ? "Another process cannot use its piece of the input: see the "
-                           "message there."
-                         : problem)
-                  << " No array was added.");
-    return 1;
+    this->ProcessArrays(job);
   }
-  double count = static_cast<double>(job.Arrays.size());
-  image.Maximum(&count, 1);
-  job.NumberOfArrays = static_cast<size_t>(count);
+  else if (job.Problem.empty())
+  {
+    job.Problem = ElsewhereProblem;
+  }
+  if (!job.Problem.empty())
+  {
+    job.Output->Initialize();
+    vtkErrorMacro(<< job.Problem);
+  }
+  return 1;
+}
 
+//------------------------------------------------------------------------------
+void vtkTFCPropertyFilter::ProcessArrays(Job& job)
+{
+  double count = static_cast<double>(job.Arrays.size());
+  job.Image->Maximum(&count, 1);
   const double shift = this->GetProgressShift(), scale = this->GetProgressScale();
   try
   {
-    for (size_t i = 0; i < job.NumberOfArrays; ++i)
+    for (double i = 0.; i < count; ++i)
     {
-      this->SetProgressShiftScale(shift + scale * static_cast<double>(i) / count, scale / count);
-      if (!this->ProcessArray(job, i))
+      this->SetProgressShiftScale(shift + scale * i / count, scale / count);
+      if (!this->ProcessArray(job, static_cast<size_t>(i)))
       {
         break;
       }
@@ -422,11 +431,10 @@ int vtkTFCPropertyFilter::RequestData(vtkInformation*, vtkInformationVector** in
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorMacro("The memory does not suffice for this volume. Use more processes, extract a part "
-                  "of the volume, or reduce its resolution. No array was added.");
+    job.Problem = "The memory does not suffice for this volume. Use more processes, extract a part "
+                  "of the volume, or reduce its resolution.";
   }
   this->SetProgressShiftScale(shift, scale);
-  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -25,8 +25,8 @@
  * needs. The need is estimated first and refused when the machine has not that much: the
  * environment variable TFC_MEMORY_LIMIT (MiB per process) lowers what counts as available.
  *
- * Wrong input is reported with vtkErrorMacro, on every process, and the output is then the input
- * without new arrays. After an abort the output has the arrays that were complete.
+ * Wrong input is reported with vtkErrorMacro, on every process, and the output is then empty. After
+ * an abort the output is the input with the arrays that were complete.
  */
 
 #ifndef vtkTFCPropertyFilter_h
@@ -39,6 +39,7 @@
 #include <string>  // For std::string
 #include <vector>  // For std::vector
 
+class vtkFieldData;
 class vtkImageData;
 class vtkMultiProcessController;
 class vtkTFCDistributedImage;
@@ -159,6 +160,11 @@ protected:
    */
   virtual bool ComputeProperties(const Field& field, const std::vector<float*>& outputs) = 0;
 
+  /**
+   * Called on every process once an array is complete: the place to tell about it in field data.
+   */
+  virtual void AddFieldData(const Field& vtkNotUsed(field), vtkFieldData* vtkNotUsed(data)) {}
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -170,6 +176,7 @@ protected:
 private:
   struct Job;
   std::string FindArrays(vtkImageData* input, Job& job);
+  void ProcessArrays(Job& job);
   bool ProcessArray(Job& job, size_t index);
   std::string CheckMemory(const Job& job, const Field& field, bool needsCopy) const;
 

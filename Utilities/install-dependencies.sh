@@ -8,13 +8,15 @@ set -euo pipefail
 
 usage() {
   cat <<'TEXT'
-usage: Utilities/install-dependencies.sh [build] [test] [render] [demo]
+usage: Utilities/install-dependencies.sh [build] [test] [render] [demo] [benchmark]
 
-Installs what is missing of the Debian 12 packages for the named groups, all of them by default:
+Installs what is missing of the Debian 12 packages for the named groups, by default for build, test
+and demo:
   build   compiler, ParaView and the libraries that its CMake files look for
   test    GoogleTest, NumPy, SciPy, clang-format and a virtual X server
   render  NumPy and a virtual X server
   demo    the same and the CT head of the package invesalius-examples
+  benchmark  the peers of the benchmarks: SciPy, scikit-image and ITK (700 MB)
 TEXT
 }
 
@@ -32,6 +34,7 @@ build_packages=(
 render_packages=(python3-numpy xvfb xauth libgl1-mesa-dri)
 test_packages=(libgtest-dev python3-scipy clang-format "${render_packages[@]}")
 demo_packages=(invesalius-examples "${render_packages[@]}")
+benchmark_packages=(python3-numpy python3-scipy python3-skimage libinsighttoolkit5-dev)
 ct_head=/usr/share/doc/invesalius-examples/examples/Cranium.inv3
 
 packages=()
@@ -44,6 +47,7 @@ for group in "$@"; do
     build) packages+=("${build_packages[@]}") ;;
     test) packages+=("${test_packages[@]}") ;;
     render) packages+=("${render_packages[@]}") ;;
+    benchmark) packages+=("${benchmark_packages[@]}") ;;
     demo)
       packages+=("${demo_packages[@]}")
       demo=1

@@ -5,9 +5,9 @@
  * @brief Separable box sums of a scalar lattice with running sums: cost independent of the radius.
  *
  * For every sample of an output block, the sum (and the number) of the valid samples of the cube
- * |o_x|, |o_y|, |o_z| <= R that lie inside the lattice. Sum / number is the in-volume mean: the
- * part of the box outside the volume plays no part. This is b * b * b * I of Eq. 9 of the paper,
- * with b of width 2R + 1.
+ * |o_x| <= R_x, |o_y| <= R_y, |o_z| <= R_z that lie inside the lattice. Sum / number is the
+ * in-volume mean: the part of the box outside the volume plays no part. This is b * b * b * I of
+ * Eq. 9 of the paper, with b of width 2R + 1 along each axis.
  *
  * NaN marks an invalid sample. The masked variant excludes them by summing the validity as
  * well; the plain one assumes that there are none, and the count is a product of three lengths.
@@ -61,10 +61,10 @@ class BoxSum
 {
 public:
   /**
-   * Sums over boxes of radius `radius` >= 0 in a lattice of `size` samples, wanted for the block
-   * [begin, end) of it.
+   * Sums over boxes of `radius` >= 0 samples to either side in a lattice of `size` samples, wanted
+   * for the block [begin, end) of it.
    */
-  BoxSum(const Index size[3], const Index begin[3], const Index end[3], Index radius)
+  BoxSum(const Index size[3], const Index begin[3], const Index end[3], const Index radius[3])
   {
     for (int a = 0; a < 3; ++a)
     {
@@ -72,7 +72,7 @@ public:
       this->Begin[a] = begin[a];
       this->End[a] = end[a];
       // A larger radius changes nothing, and cannot overflow an index.
-      this->Radius[a] = std::min(radius, size[a]);
+      this->Radius[a] = std::min(radius[a], size[a]);
     }
     this->Width = end[0] - begin[0];
     this->Height = end[1] - begin[1];

@@ -39,6 +39,22 @@ inline float ConductanceWeight(double range, double eta)
 }
 
 /**
+ * The boundary factor on its own: row (y, z), samples [x0, x1), of `means` becomes the metric.
+ * `scratch` holds x1 - x0 values.
+ */
+template <bool Masked>
+void ApplyBoundaryRow(const float* volume, const Index size[3], Index y, Index z, Index x0,
+  Index x1, float weight, float* scratch, float* means)
+{
+  const float weights[3] = { weight, weight, weight };
+  GradientSquaredRow<Masked>(volume, size, y, z, x0, x1, weights, scratch);
+  for (Index x = 0; x < x1 - x0; ++x)
+  {
+    means[x] /= 1.f + scratch[x];
+  }
+}
+
+/**
  * One row of the metric from one row of box sums (see BoxSum::SumColumns()). `counts` may be null
  * for a lattice without invalid samples. `inverseLengths` holds 1 / CountAlong(0, x) of the row.
  */

@@ -12,6 +12,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
@@ -128,6 +129,27 @@ public:
   explicit Threads(int number) { setenv("TFC_NUM_THREADS", std::to_string(number).c_str(), 1); }
   ~Threads() { unsetenv("TFC_NUM_THREADS"); }
 };
+
+/**
+ * Limits the instruction set (vtkTFCSimd.h) while it lives.
+ */
+class SimdLimit
+{
+public:
+  explicit SimdLimit(const char* name) { setenv("TFC_SIMD", name, 1); }
+  ~SimdLimit() { unsetenv("TFC_SIMD"); }
+};
+
+/**
+ * The bytes of a float array, to compare results bit for bit; empty without one.
+ */
+inline std::string GetBytes(vtkDataArray* array)
+{
+  auto* floats = vtkFloatArray::SafeDownCast(array);
+  return floats ? std::string(reinterpret_cast<const char*>(floats->GetPointer(0)),
+                    static_cast<size_t>(floats->GetNumberOfValues()) * sizeof(float))
+                : std::string();
+}
 
 /**
  * Run a property filter on array `a` of the given association and return array `result`.

@@ -21,24 +21,21 @@ using namespace testing_volumes;
 namespace
 {
 /**
- * Runs a filter on array `a`: no result, the input passed, and one error that mentions `what`.
+ * Runs a filter on array `a`: an empty output, and an error that mentions `what`.
  */
 template <typename Filter>
 void ExpectRefusal(Filter* filter, vtkImageData* image, const std::string& what,
   const char* array = "a", int association = vtkDataObject::POINT)
 {
-  const int arrays =
-    image->GetPointData()->GetNumberOfArrays() + image->GetCellData()->GetNumberOfArrays();
   const Errors errors(filter);
   filter->SetInputData(image);
   filter->SetInputArrayToProcess(0, 0, 0, association, array);
   filter->Update();
   EXPECT_TRUE(errors.Mention(what)) << "expected: " << what << "\nreported: " << errors.Text;
   auto* output = filter->GetImageDataOutput();
-  EXPECT_EQ(output->GetNumberOfPoints(), image->GetNumberOfPoints());
-  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays() +
-      output->GetCellData()->GetNumberOfArrays(),
-    arrays);
+  EXPECT_EQ(output->GetNumberOfPoints(), 0);
+  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(output->GetCellData()->GetNumberOfArrays(), 0);
 }
 
 /**
@@ -149,14 +146,75 @@ TEST(BadInput, OcclusionParameters)
     filter->SetRadius(radius);
     ExpectRefusal(filter.Get(), image, "Radius is " + std::to_string(radius));
   }
-  filter->SetRadius(std::numeric_limits<int>::max());
+  for (const double radius : { NaN, static_cast<double>(INFINITY) })
+  {
+    filter->SetRadius(radius);
+    ExpectRefusal(filter.Get(), image, "Radius is");
+  }
+  filter->SetRadius(0.5);
+  ExpectRefusal(filter.Get(), image, "Radius is 0.5 voxels, less than one voxel");
+  filter->SetRadius(5);
+  ExpectRefusal(filter.Get(), image, "longer than the volume, whose longest side has 4");
+  filter->SetLengthUnit(vtkTFCPropertyFilter::WORLD);
+  image->SetSpacing(0.1, 0.2, 0.1);
+  ExpectRefusal(filter.Get(), image, "longer than the volume, whose longest side has 0.8");
+  filter->SetRadius(0.05);
+  ExpectRefusal(filter.Get(), image, "less than one voxel. Set it to 0.1 or more");
+  filter->SetRadius(0.2);
   for (const double eta : { 0., -1., NaN, static_cast<double>(INFINITY) })
   {
     filter->SetBoundaryParameter(eta);
     ExpectRefusal(filter.Get(), image, "BoundaryParameter is");
   }
-  filter->SetBoundaryParameter(0.005);
+  filter->BoundaryTermOff();
   EXPECT_NE(Compute(filter.Get(), image, "a_occlusion"), nullptr);
+}
+
+TEST(BadInput, SpectrumParameters)
+{
+  const auto image = MakeVolume(4, 4, 4, Noise);
+  vtkNew<vtkTFCOcclusion> filter;
+  filter->SetRadius(2);
+  filter->SetMetric(vtkTFCOcclusion::SPECTRUM);
+  filter->SetMapping(vtkTFCOcclusion::TRUNCATED_RAMP);
+  filter->SetMappingRange(3., 3.);
+  ExpectRefusal(filter.Get(), image, "MappingRange is 3 to 3, which is empty");
+  filter->SetMapping(vtkTFCOcclusion::LINEAR_RAMP);
+  filter->SetDistanceWeight(vtkTFCOcclusion::GAUSSIAN);
+  ExpectRefusal(filter.Get(), image, "Set Neighborhood to Sphere");
+  filter->SetNeighborhood(vtkTFCOcclusion::SPHERE);
+  filter->AutoRadiusOn();
+  filter->SetAutoRadiusRange(4., 2.);
+  ExpectRefusal(filter.Get(), image, "AutoRadiusRange is 4 to 2");
+  filter->SetAutoRadiusRange(0., 2.);
+  ExpectRefusal(filter.Get(), image, "AutoRadiusRange is 0 to 2");
+  filter->SetAutoRadiusRange(1., 100.);
+  EXPECT_NE(Compute(filter.Get(), image, "a_occlusion"), nullptr);
+}
+
+TEST(BadInput, MemoryThatWillNotSuffice)
+{
+  const auto image = MakeVolume(64, 64, 64, Noise);
+  vtkNew<vtkTFCOcclusion> filter;
+  setenv("TFC_MEMORY_LIMIT", "1", 1);
+  ExpectRefusal(filter.Get(), image, "MiB of memory for 'a', and 1 MiB are available");
+  unsetenv("TFC_MEMORY_LIMIT");
+  EXPECT_NE(Compute(filter.Get(), image, "a_occlusion"), nullptr);
+}
+
+TEST(BadInput, FurtherArrays)
+{
+  const auto image = MakeVolume(4, 4, 4, Noise);
+  image->GetPointData()->AddArray(MakeArray("b", 4, 4, 4, Noise));
+  vtkNew<vtkTFCGradientMagnitude> filter;
+  filter->AddArray("c");
+  ExpectRefusal(filter.Get(), image, "no point or cell array 'c'");
+  filter->ClearArrays();
+  filter->AddArray("b");
+  filter->AddArray("a");
+  EXPECT_NE(Compute(filter.Get(), image, "a_gradient"), nullptr);
+  EXPECT_NE(filter->GetImageDataOutput()->GetPointData()->GetArray("b_gradient"), nullptr);
+  EXPECT_EQ(filter->GetImageDataOutput()->GetPointData()->GetNumberOfArrays(), 4);
 }
 
 TEST(BadInput, ScoreParametersAndArrays)

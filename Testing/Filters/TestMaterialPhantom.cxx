@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Golden values from an independent implementation in NumPy with the same counter-based noise.
-#include "vtkTFCMaterialPhantom.h"
+#include "Filters/Kernels/TFCPhantom.h"
+#include "Filters/vtkTFCMaterialPhantom.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -11,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -100,6 +102,43 @@ TEST(MaterialPhantom, APartIsWhatTheWholeHasThere)
         ASSERT_EQ(Material(part)[i], Material(whole)[j]);
       }
     }
+  }
+}
+
+TEST(MaterialPhantom, ElementaryFunctions)
+{
+  for (int i = 1; i < 100000; ++i)
+  {
+    const double u = i / 100000.;
+    ASSERT_NEAR(tfc::PhantomLog(u), std::log(u), 4e-16 * std::max(1., -std::log(u)));
+    ASSERT_NEAR(tfc::PhantomCosine(u), std::cos(2. * 3.14159265358979323846 * u), 1e-15);
+  }
+  for (const double u : { 0x1.0p-54, 0x1.fffffffffffffp-1, 0.5, std::sqrt(0.5) })
+  {
+    ASSERT_NEAR(tfc::PhantomLog(u), std::log(u), 1e-15 * std::max(1., -std::log(u)));
+  }
+  for (const std::uint64_t i : { 0ULL, 1ULL, 0xffffffffULL, 0x100000000ULL, 0x1fffffffffffffULL })
+  {
+    EXPECT_EQ(tfc::PhantomToDouble(i), static_cast<double>(i));
+  }
+}
+
+TEST(MaterialPhantom, SameBitsOnEveryProcessor)
+{
+  const char* const levels[] = { "baseline", "avx2", "avx512" };
+  vtkNew<vtkTFCMaterialPhantom> phantoms[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    setenv("TFC_SIMD", levels[i], 1);
+    phantoms[i]->SetDimensions(301, 9, 8);
+    phantoms[i]->Update();
+  }
+  unsetenv("TFC_SIMD");
+  for (vtkIdType j = 0; j < phantoms[0]->GetOutput()->GetNumberOfPoints(); ++j)
+  {
+    ASSERT_EQ(Intensity(phantoms[0])[j], Intensity(phantoms[1])[j]);
+    ASSERT_EQ(Intensity(phantoms[0])[j], Intensity(phantoms[2])[j]);
+    ASSERT_EQ(Material(phantoms[0])[j], Material(phantoms[2])[j]);
   }
 }
 

@@ -100,8 +100,12 @@ TEST(Occlusion, MatchesDefinition)
     { 6, 7, 1 }, { 1, 1, 1 } };
   for (const auto& n : sizes)
   {
-    for (const int radius : { 1, 2, 4, 40 })
+    for (const int radius : { 1, 2, 4, 12 })
     {
+      if (radius > std::max({ n[0], n[1], n[2] }))
+      {
+        continue;
+      }
       for (const int holes : { 0, 5 })
       {
         const auto f = [&](int x, int y, int z)
@@ -140,6 +144,7 @@ TEST(Occlusion, ConstantVolume)
 {
   const auto image = MakeVolume<vtkShortArray>(10, 9, 8, [](int, int, int) { return -700; });
   vtkNew<vtkTFCOcclusion> filter;
+  filter->SetRadius(4);
   auto* result = Compute(filter.Get(), image, Result);
   ASSERT_NE(result, nullptr);
   EXPECT_EQ(result->GetRange()[0], -700.);
@@ -152,6 +157,7 @@ TEST(Occlusion, SamplesWithoutNeighbours)
   const auto image =
     MakeVolume(5, 5, 5, [](int x, int y, int z) { return x == 2 && y == 2 && z == 2 ? 4. : NaN; });
   vtkNew<vtkTFCOcclusion> filter;
+  filter->SetRadius(4);
   auto* result = Compute(filter.Get(), image, Result);
   ASSERT_NE(result, nullptr);
   EXPECT_EQ(result->GetTuple1(62), 4.);
@@ -217,6 +223,7 @@ TEST(Occlusion, ProgressAndAbort)
 {
   const auto image = MakeVolume<vtkFloatArray>(20, 20, 20, Noise);
   vtkNew<vtkTFCOcclusion> filter;
+  filter->SetRadius(4);
   double last = 0.;
   vtkNew<vtkCallbackCommand> progress;
   progress->SetClientData(&last);

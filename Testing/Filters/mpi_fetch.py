@@ -12,7 +12,7 @@ import scripttest
 scripttest.load_plugin(globals())
 source = Wavelet(WholeExtent=[-7, 16, 0, 19, 3, 19])
 gradient = VolumeGradientMagnitude(Input=source, InputArray=["POINTS", "RTData"])
-occlusion = VolumeOcclusion(Input=gradient, InputArray=["POINTS", "RTData"], Radius=40)
+occlusion = VolumeOcclusion(Input=gradient, InputArray=["POINTS", "RTData"], Radius=17)
 score = CombinationScore(Input=occlusion, Primary="RTData")
 scores = servermanager.Fetch(score)
 rows = scripttest.table(scores, ("attribute", "rank"))

@@ -11,11 +11,20 @@ scripttest.load_plugin(globals())
 from tfc.vtk.vtkTFCFilters import vtkTFCOcclusion
 
 source = Wavelet(WholeExtent=[0, 31, 0, 25, 0, 17])
+unknown = VolumeOcclusion(Input=source)
+scripttest.check(unknown.Radius == 40, "default radius while the volume is not known")
 gradient = VolumeGradientMagnitude(Input=source, InputArray=["POINTS", "RTData"])
+gradient.UpdatePipeline()
 occlusion = VolumeOcclusion(Input=gradient, InputArray=["POINTS", "RTData"])
-scripttest.check(occlusion.Radius == 40 and occlusion.BoundaryParameter == 0.005, "defaults")
+scripttest.check(occlusion.Radius == 5 and occlusion.BoundaryParameter == 0.005, "defaults")
+wide = Wavelet(WholeExtent=[0, 299, 0, 3, 0, 3])
+wide.UpdatePipeline()
+large = VolumeOcclusion(Input=wide)
+scripttest.check(large.Radius == 40, "default radius in a large volume")
+domain = large.GetProperty("Radius").GetDomain("range")
+scripttest.check((domain.GetMinimum(0), domain.GetMaximum(0)) == (0, 300), "range of the radius")
+scripttest.check(list(large.MoreArrays) == [], "no further arrays by default")
 scripttest.check(list(occlusion.InputArray) == ["POINTS", "RTData"], "array selection")
-occlusion.Radius = 5
 occlusion.UpdatePipeline()
 scripttest.check(occlusion.PointData.keys() == ["RTData", "RTData_gradient", "RTData_occlusion"],
                  "the arrays pass through")

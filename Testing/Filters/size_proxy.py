@@ -13,7 +13,7 @@ source = Wavelet(WholeExtent=[0, 59, 0, 49, 0, 39])
 source.UpdatePipeline()
 size = VolumeFeatureSize(Input=source, InputArray=["POINTS", "RTData"])
 defaults = {
-    "LengthUnit": "Voxels", "SmallestSize": 2.5, "LargestSize": 25, "Polarity": "Bright",
+    "LengthUnit": "Voxels", "SmallestSize": 2.5, "Polarity": "Bright",
     "Threshold": 0.08, "UseIntensityRange": 0, "ScaleSpace": "Nonlinear", "Conductance": 0.5,
     "NumberOfScales": 12, "Component": 0,
 }
@@ -23,6 +23,8 @@ for name, value in defaults.items():
     number = getattr(native, "Get" + name)()
     scripttest.check(isinstance(value, str) and number == 0 or number == value,
                      "the same in the class: " + name)
+scripttest.check(size.LargestSize == 24 and native.GetLargestSize() == 25,
+                 "the largest size fits the volume: %g" % size.LargestSize)
 scripttest.check(len(size.MoreArrays) == 0, "no more arrays by default")
 data = source.PointData["RTData"].GetRange()
 scripttest.check(all(abs(a - b) < 1e-3 for a, b in zip(size.IntensityRange, data)),

@@ -15,7 +15,8 @@ namespace
 std::vector<double> Compute(const std::vector<float>& volume, const Size& n, const Size& begin,
   const Size& end, tfc::Index radius, bool masked, tfc::Index tile = 3)
 {
-  const tfc::BoxSum box(n.data(), begin.data(), end.data(), radius);
+  const tfc::Index radii[3] = { radius, radius, radius };
+  const tfc::BoxSum box(n.data(), begin.data(), end.data(), radii);
   std::vector<float> sums(box.GetTemporarySize()), validity(box.GetTemporarySize());
   tfc::BoxSum::Workspace work;
   for (tfc::Index z = 0; z < n[2]; ++z)

@@ -13,7 +13,8 @@ std::vector<float> Compute(const std::vector<float>& volume, const Size& n, tfc:
   double range, double eta)
 {
   const tfc::Index begin[3] = { 0, 0, 0 };
-  const tfc::BoxSum box(n.data(), begin, n.data(), radius);
+  const tfc::Index radii[3] = { radius, radius, radius };
+  const tfc::BoxSum box(n.data(), begin, n.data(), radii);
   std::vector<float> sums(box.GetTemporarySize()), out(volume.size());
   tfc::BoxSum::Workspace work;
   for (tfc::Index z = 0; z < n[2]; ++z)

@@ -15,9 +15,11 @@ Function Combinations", Computers & Graphics 36(6), 2012)::
         print(row)
 
 Everything is in data units. ``help(tfc.TransferFunction)`` has the details, ``tfc.show`` renders,
-``tfc.score`` ranks attributes. The plugin is loaded when it is first needed.
+``tfc.attributes`` computes attributes of a volume, ``tfc.score`` ranks them. The plugin is loaded
+when it is first needed.
 """
 
+from .attributes import attributes
 from .display import apply, show
 from .model import Region, TransferFunction, load
 from .plugin import load_plugin
@@ -28,6 +30,7 @@ __all__ = [
     "Score",
     "TransferFunction",
     "apply",
+    "attributes",
     "load",
     "load_plugin",
     "score",

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief What the kernels tell the compiler about their loops.
+ */
+
+#ifndef TFCVector_h
+#define TFCVector_h
+
+/**
+ * Before a loop whose iterations do not touch each other's data: the compiler may then use wide
+ * registers where it cannot prove that itself (GCC does not for more than a few pointers).
+ */
+#if defined(__clang__)
+#define TFC_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define TFC_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define TFC_INDEPENDENT
+#endif
+
+#endif
