@@ -120,12 +120,15 @@ int vtkTFCPropertyFilter::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-int vtkTFCPropertyFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+int vtkTFCPropertyFilter::RequestUpdateExtent(vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   using SDDP = vtkStreamingDemandDrivenPipeline;
   vtkInformation* in = inputVector[0]->GetInformationObject(0);
-  vtkInformation* out = outputVector->GetInformationObject(0);
+  // A subclass may have more outputs than the volume: the piece is asked of one of them.
+  const int port =
+    request->Has(SDDP::FROM_OUTPUT_PORT()) ? request->Get(SDDP::FROM_OUTPUT_PORT()) : 0;
+  vtkInformation* out = outputVector->GetInformationObject(std::max(0, port));
   if (!in->Has(SDDP::WHOLE_EXTENT()))
   {
     return 1;
@@ -265,6 +268,7 @@ bool vtkTFCPropertyFilter::ProcessArray(Job& job, size_t index)
   vtkDataArray* array = job.IsEmpty ? nullptr : job.Arrays[index];
   Field field;
   field.Name = array && array->GetName() ? array->GetName() : "";
+  field.Association = job.Association;
 
   std::unique_ptr<vtkTFCLocalSamples> local;
   vtkTFCSurvey found;

@@ -99,7 +99,8 @@ protected:
    */
   struct Field
   {
-    std::string Name; ///< of the input array
+    std::string Name;    ///< of the input array
+    int Association = 0; ///< of the input array: vtkDataObject::FIELD_ASSOCIATION_...
     const float* Values = nullptr;
     std::ptrdiff_t Size[3] = {};      ///< samples of the lattice, halo included
     std::ptrdiff_t Begin[3] = {};     ///< first sample of this process in the lattice
