@@ -3,10 +3,11 @@
 """All attributes of a volume as pictures of one slice, and which of them to combine.
 
     pvpython attributes.py OUTPUT_DIR VOLUME [ARRAY] [--axis x|y|z] [--at 0.5] [--radius 15]
-                           [--sizes 3 25] [--eta 1]
+                           [--eta 1] [--sizes 3 25] [--range 150 1500]
 
 VOLUME is anything that ParaView opens as an image, or a .inv3 file of InVesalius; ARRAY is by
-default its first point array. Writes ARRAY_<attribute>.png and prints the ranking for the axes
+default its first point array. --range is the intensity range of the objects whose size is measured,
+by default all intensities. Writes ARRAY_<attribute>.png and prints the ranking for the axes
 intensity and gradient magnitude.
 """
 
@@ -15,7 +16,9 @@ import os
 import sys
 import tempfile
 
-from paraview import simple
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import tfc
 
@@ -42,46 +45,73 @@ def read(path):
     return source
 
 
-def compute(source, array, radius, eta, sizes):
+def compute(source, array, radius, eta, sizes, interval):
     """The source with every attribute of the array."""
+    size = {"SmallestSize": sizes[0], "LargestSize": sizes[1]}
+    if interval:
+        size.update(UseIntensityRange=1, IntensityRange=interval)
     return tfc.attributes(
         source, array, ["gradient", "statistics", "occlusion", "size"],
         occlusion={"Radius": radius, "BoundaryParameter": eta},
-        size={"SmallestSize": sizes[0], "LargestSize": sizes[1]})
+        size=size)
 
 
-def save_slice(volume, name, palette, axis, at, path, pixels=(480, 400)):
-    """Picture of one slice, coloured by an array between its 0.5 and 99.5 percent quantiles."""
+def slice_range(volume, name, axis, index):
+    """0.5 and 99.5 percent quantiles of an array on one slice."""
+    extent = list(volume.GetDataInformation().GetExtent())
+    extent[2 * axis:2 * axis + 2] = [index, index]
+    subset = simple.ExtractSubset(Input=volume, VOI=extent)
+    values = vtk_to_numpy(servermanager.Fetch(subset).GetPointData().GetArray(name)).astype(float)
+    simple.Delete(subset)
+    low, high = np.percentile(values[np.isfinite(values)], [0.5, 99.5])
+    return (low, high) if low < high else (low - 0.5, low + 0.5)
+
+
+def save_slice(volume, name, palette, axis, at, path, pixels=(360, 300)):
+    """Picture of one slice, coloured by an array between two quantiles, with a scalar bar."""
     view = simple.CreateView("RenderView")
     view.ViewSize = list(pixels)
     view.OrientationAxesVisibility = 0
-    view.Background = [1, 1, 1]
     view.UseColorPaletteForBackground = 0
-    view.InteractionMode = "2D"
+    view.Background = [1, 1, 1]
     display = simple.Show(volume, view)
     display.Representation = "Slice"
-    direction = {"x": "YZ Plane", "y": "XZ Plane", "z": "XY Plane"}[axis]
-    display.SliceMode = direction
-    extent = volume.GetDataInformation().GetExtent()
-    low, high = extent["xyz".index(axis) * 2], extent["xyz".index(axis) * 2 + 1]
-    display.Slice = int(low + at * (high - low))
+    display.SliceMode = ("YZ Plane", "XZ Plane", "XY Plane")[axis]
+    information = volume.GetDataInformation()
+    low, high = information.GetExtent()[2 * axis:2 * axis + 2]
+    index = int(low + at * (high - low))
+    display.Slice = index - low
     simple.ColorBy(display, ("POINTS", name))
     table = simple.GetColorTransferFunction(name)
     table.ApplyPreset(palette, True)
+    table.RescaleTransferFunction(*slice_range(volume, name, axis, index))
     bar = simple.GetScalarBar(table, view)
-    bar.Title, bar.ComponentTitle = name, ""
-    bar.TitleColor = bar.LabelColor = [0, 0, 0]
+    bar.Title, bar.ComponentTitle = "", ""
+    bar.LabelColor = [0, 0, 0]
+    bar.LabelFontSize = 12
+    bar.RangeLabelFormat = bar.LabelFormat = "%.4g"
+    bar.AutomaticLabelFormat = 0
+    bar.WindowLocation = "Any Location"
+    bar.Position = [1 - 50 / pixels[0], 0.1]
+    bar.ScalarBarLength = 0.8
+    bar.ScalarBarThickness = 8
     display.SetScalarBarVisibility(view, True)
-    camera = view.GetActiveCamera()
-    simple.ResetCamera(view)
-    center = view.CenterOfRotation
-    along = {"x": (1, 0, 0), "y": (0, -1, 0), "z": (0, 0, 1)}[axis]
-    up = (0, 1, 0) if axis == "z" else (0, 0, 1)
-    camera.SetFocalPoint(center)
-    camera.SetPosition([c + 1000 * a for c, a in zip(center, along)])
-    camera.SetViewUp(up)
-    simple.ResetCamera(view)
-    camera.SetParallelScale(camera.GetParallelScale() * 0.72)
+
+    # The first rendering resets the camera.
+    simple.Render(view)
+    # The slice fills the height; the bar stands to its right.
+    bounds = information.GetBounds()
+    center = [(bounds[2 * a] + bounds[2 * a + 1]) / 2 for a in range(3)]
+    right, up = ((1, 2), (0, 2), (0, 1))[axis]
+    scale = max((bounds[2 * up + 1] - bounds[2 * up]) / 2,
+                (bounds[2 * right + 1] - bounds[2 * right]) / 2 * pixels[1] / (pixels[0] - 60))
+    center[right] += 30 * 2 * scale / pixels[1]
+    toward = (1, -1, 1)[axis]
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = center
+    view.CameraPosition = [c + toward * 1000 * (a == axis) for a, c in enumerate(center)]
+    view.CameraViewUp = [float(a == up) for a in range(3)]
+    view.CameraParallelScale = scale
     simple.Render(view)
     simple.SaveScreenshot(path, view)
     simple.Delete(view)
@@ -97,15 +127,16 @@ def main():
     parser.add_argument("--radius", type=float, default=15)
     parser.add_argument("--eta", type=float, default=1)
     parser.add_argument("--sizes", type=float, nargs=2, default=(3, 25))
+    parser.add_argument("--range", type=float, nargs=2)
     options = parser.parse_args()
     os.makedirs(options.output, exist_ok=True)
     source = read(options.volume)
     array = options.array or source.PointData.keys()[0]
-    volume = compute(source, array, options.radius, options.eta, options.sizes)
+    volume = compute(source, array, options.radius, options.eta, options.sizes, options.range)
     names = {attribute: array + ("_" + attribute if attribute else "") for attribute in MAPS}
     for attribute, name in names.items():
         path = os.path.join(options.output, name + ".png")
-        save_slice(volume, name, MAPS[attribute], options.axis, options.at, path)
+        save_slice(volume, name, MAPS[attribute], "xyz".index(options.axis), options.at, path)
         print(path)
     for row in tfc.score(volume, array, names["gradient"], arrays=list(names.values())):
         print("%d  %-24s score %7.4f  correlation %7.4f  entropy %6.4f" % (
