@@ -286,16 +286,24 @@ private:
       const bool varies = m2 > 0.;
       const double divisor = varies ? m2 : 1.;
       const double variance = (varies & (n > 1.)) ? m2 * n / (n > 1. ? n - 1. : 1.) : 0.;
-      // A NaN voxel has a NaN shift, which spreads to all results.
-      const double invalid = shift[i] * 0.;
       results[SphereMean][i] = static_cast<float>((shift[i] + mean) * inverseScale);
-      results[SphereDeviation][i] =
-        static_cast<float>(std::sqrt(variance) * inverseScale + invalid);
-      results[SphereRadius][i] = static_cast<float>(radius[i] * this->Step + invalid);
+      results[SphereDeviation][i] = static_cast<float>(std::sqrt(variance) * inverseScale);
+      results[SphereRadius][i] = static_cast<float>(radius[i] * this->Step);
       results[SphereSkewness][i] =
-        static_cast<float>((varies ? m3 / (divisor * std::sqrt(divisor)) : 0.) + invalid);
-      results[SphereKurtosis][i] =
-        static_cast<float>((varies ? m4 / (divisor * divisor) : 3.) + invalid);
+        static_cast<float>(varies ? m3 / (divisor * std::sqrt(divisor)) : 0.);
+      results[SphereKurtosis][i] = static_cast<float>(varies ? m4 / (divisor * divisor) : 3.);
+    }
+    if constexpr (MayHaveNaN)
+    {
+      // Always the same NaN: what arithmetic makes of one differs between instruction sets.
+      const float nan = std::numeric_limits<float>::quiet_NaN();
+      for (auto& statistic : results)
+      {
+        for (int i = 0; i < Lanes; ++i)
+        {
+          statistic[i] = shift[i] == shift[i] ? statistic[i] : nan;
+        }
+      }
     }
     const Index width = this->End[0] - this->Begin[0], height = this->End[1] - this->Begin[1];
     const Index start =
