@@ -47,3 +47,28 @@ for key, r in rows:
     both = np.isfinite(flat[key]) & np.isfinite(flat[names[0]])
     scripttest.check_close([r], [np.corrcoef(flat[key][both], flat[names[0]][both])[0, 1]], 1e-9,
                            "correlation of %s and %s" % (key, names[0]))
+
+# Every attribute of every volume: present, finite where the data are, within what it can be.
+VOLUMES = [("ct_head_invesalius.vti", "HU"), ("ct_chest_lidc0314.vti", "HU"),
+           ("mri_stroke_t1_t2_flair.vti", "T1"), ("sim_cm1_hurricane.vti", "QVAPOR")]
+for path, array in VOLUMES:
+    volume = OpenDataFile(scripttest.data_file(path))
+    for filter, properties in ((VolumeGradientMagnitude, {}), (VolumeLocalStatistics, {}),
+                               (VolumeOcclusion, {"Radius": 12, "Neighborhood": "Sphere"}),
+                               (VolumeFeatureSize, {"LargestSize": 12})):
+        volume = filter(Input=volume, InputArray=["POINTS", array], **properties)
+    volume.UpdatePipeline()
+    result = servermanager.Fetch(volume)
+    original = scripttest.volume(result, array).astype(float)
+    low, high = np.nanmin(original), np.nanmax(original)
+    bounds = {"gradient": (0, np.inf), "mean": (low, high), "stddev": (0, high - low),
+              "radius": (1, 6), "occlusion": (min(low, 0), max(high, 0)), "size": (0, 12 * 1.2)}
+    for suffix, (least, most) in bounds.items():
+        values = scripttest.volume(result, array + "_" + suffix)
+        scripttest.check(bool((np.isfinite(values) == np.isfinite(original)).all()),
+                         "%s: %s is finite where the data are" % (path, suffix))
+        slack = 1e-5 * (high - low)
+        inside = np.nanmin(values) >= least - slack and np.nanmax(values) <= most + slack
+        scripttest.check(bool(inside), "%s: %s between %g and %g" % (
+            path, suffix, np.nanmin(values), np.nanmax(values)))
+        scripttest.check(np.nanstd(values) > 0, "which varies")
