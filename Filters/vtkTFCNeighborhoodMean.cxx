@@ -119,7 +119,7 @@ bool vtkTFCNeighborhoodMean::RunBall(const tfc::BallKernel& kernel, float* out) 
   const auto response = kernel.template GetSpectrum<Real>(lengths, ball.GetScale(),
     [](tfc::Index count, auto&& body)
     { vtkTFCThreads::For(0, count, 16, vtkTFCSimd::Vectorize(body)); });
-  constexpr vtkIdType floats = sizeof(Real) / sizeof(float);
+  const vtkIdType floats = masked ? 2 : 1;
   const auto buffer = vtkTFCLargeBuffer::Allocate(ball.GetSize() * floats);
   // A double buffer in memory that was asked for as floats: nothing is read before it is written.
   Real* spectrum = reinterpret_cast<Real*>(buffer.get());

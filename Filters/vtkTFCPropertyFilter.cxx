@@ -205,7 +205,7 @@ std::string vtkTFCPropertyFilter::FindArrays(vtkImageData* input, Job& job)
   {
     return {};
   }
-  const std::string problem = CheckArray(input, chosen, wanted ? wanted : "(active scalars)",
+  std::string problem = CheckArray(input, chosen, wanted ? wanted : "(active scalars)",
     job.Association, this->Component);
   if (!problem.empty())
   {
@@ -219,8 +219,7 @@ std::string vtkTFCPropertyFilter::FindArrays(vtkImageData* input, Job& job)
     {
       continue;
     }
-    const std::string other =
-      CheckArray(input, more, name.c_str(), job.Association, this->Component);
+    std::string other = CheckArray(input, more, name.c_str(), job.Association, this->Component);
     if (!other.empty())
     {
       return other;
