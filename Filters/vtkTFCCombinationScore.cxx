@@ -9,6 +9,7 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <numeric>
 #include <string>
@@ -78,6 +80,38 @@ std::vector<Attribute> FromDescription(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+/**
+ * Which attributes are first, as a sentence.
+ */
+std::string MakeSentence(const std::vector<tfc::RankingInterval>& intervals,
+  const std::vector<Attribute>& attributes)
+{
+  std::string text;
+  const auto format = [](double value)
+  {
+    char digits[32];
+    std::snprintf(digits, sizeof(digits), "%.3g", value);
+    return std::string(digits);
+  };
+  for (size_t i = 0; i < intervals.size();)
+  {
+    size_t last = i;
+    while (last + 1 < intervals.size() && intervals[last + 1].Order[0] == intervals[i].Order[0])
+    {
+      ++last;
+    }
+    text += (text.empty() ? "" : ", ") + attributes[intervals[i].Order[0]].Label + " is first for ";
+    text += i == 0 && last + 1 == intervals.size() ? "every balance"
+      : i == 0                                     ? "a < " + format(intervals[last].To)
+      : last + 1 == intervals.size()
+      ? "a > " + format(intervals[i].From)
+      : "a from " + format(intervals[i].From) + " to " + format(intervals[last].To);
+    i = last + 1;
+  }
+  return text.empty() ? "no attribute is a candidate" : text;
+}
+
+//------------------------------------------------------------------------------
 template <typename Column, typename Value>
 void AddColumn(vtkTable* table, const char* name, const std::vector<Value>& values)
 {
@@ -94,7 +128,7 @@ void AddColumn(vtkTable* table, const char* name, const std::vector<Value>& valu
 //------------------------------------------------------------------------------
 vtkTFCCombinationScore::vtkTFCCombinationScore()
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
@@ -257,6 +291,34 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
     AddColumn<vtkDoubleArray>(matrix, attributes[i].Label.c_str(),
       std::vector<double>(row, row + names.size()));
   }
+
+  const auto intervals =
+    tfc::RankingIntervals(statistics.Correlations, statistics.Entropies, primary, secondary);
+  std::vector<double> from, to;
+  names.clear();
+  for (const tfc::RankingInterval& interval : intervals)
+  {
+    if (order.empty())
+    {
+      break;
+    }
+    from.push_back(interval.From);
+    to.push_back(interval.To);
+    std::string ranking;
+    for (const int i : interval.Order)
+    {
+      ranking += (ranking.empty() ? "" : ", ") + attributes[i].Label;
+    }
+    names.push_back(ranking);
+  }
+  vtkTable* stability = vtkTable::GetData(outputVector, 2);
+  AddColumn<vtkDoubleArray>(stability, "from", from);
+  AddColumn<vtkDoubleArray>(stability, "to", to);
+  AddColumn<vtkStringArray>(stability, "ranking", names);
+  vtkNew<vtkStringArray> sentence;
+  sentence->SetName("summary");
+  sentence->InsertNextValue(MakeSentence(intervals, attributes));
+  stability->GetFieldData()->AddArray(sentence);
   return 1;
 }
 

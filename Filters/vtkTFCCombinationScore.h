@@ -9,7 +9,10 @@
  * the maximum over all attributes) and `rank` (1 = best). The primary and the secondary
  * attribute, and attributes whose correlation is undefined because they are constant, are no
  * candidates: score NaN, rank 0, after the candidates. Port 1: the correlation matrix, a column
- * `attribute` and one column per attribute; NaN for constant attributes.
+ * `attribute` and one column per attribute; NaN for constant attributes. Port 2, table "Stability":
+ * how the ranking depends on the balance a: `from` and `to`, an interval of a, and `ranking`, the
+ * candidates in it, best first; the field data array `summary` says it in a sentence, such as
+ * "occlusion is first for a < 0.72, radius is first for a > 0.72".
  *
  * Attributes are point arrays: `name` of a single-component array, `name:2` for a component (from
  * 0) or `name:magnitude`. NaN, infinities, blanked points and the fill values are no data;

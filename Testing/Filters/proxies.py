@@ -64,6 +64,12 @@ scripttest.check(rows == [("RTData_occlusion", 1), ("RTData", 0), ("RTData_gradi
                  "the secondary attribute is no candidate")
 matrix = servermanager.Fetch(score, idx=1)
 scripttest.check(matrix.GetNumberOfRows() == 3 and matrix.GetNumberOfColumns() == 4, "matrix")
+stability = servermanager.Fetch(score, idx=2)
+scripttest.check(stability.GetNumberOfRows() == 1 and
+                 stability.GetValueByName(0, "ranking").ToString() == "RTData_occlusion",
+                 "one candidate has one ranking")
+summary = stability.GetFieldData().GetAbstractArray("summary").GetValue(0)
+scripttest.check(summary == "RTData_occlusion is first for every balance", summary)
 everything = CombinationScore(Input=occlusion)
 scripttest.check(servermanager.Fetch(everything).GetNumberOfRows() == 3, "all arrays by default")
 

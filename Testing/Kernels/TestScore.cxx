@@ -63,3 +63,46 @@ TEST(Score, UndefinedAndEqualOnes)
     (std::vector<int>{ 0, 0, 0, 0 }));
   EXPECT_TRUE(tfc::CombinationScores({}, {}, 0.4, 0, -1).Rank.empty());
 }
+
+TEST(Score, RankingIntervalsOfPaperTable1)
+{
+  const auto intervals = tfc::RankingIntervals(Correlations, Entropies, 0, 1);
+  ASSERT_FALSE(intervals.empty());
+  EXPECT_EQ(intervals.front().From, 0.);
+  EXPECT_EQ(intervals.back().To, 1.);
+  // By hand: occlusion and deviation cross where their scores are equal.
+  const double e = Entropies[3] / Entropies[4];
+  const double crossing = (1. - e) / ((1. - e) + (0.7286 - 0.2435));
+  bool found = false;
+  for (size_t i = 0; i < intervals.size(); ++i)
+  {
+    const auto& interval = intervals[i];
+    EXPECT_EQ(interval.Order.size(), 3u);
+    EXPECT_EQ(interval.From, i ? intervals[i - 1].To : 0.);
+    EXPECT_LT(interval.From, interval.To);
+    found = found || std::abs(interval.To - crossing) < 1e-12;
+    // The ranking inside is that of the scores there.
+    for (const double part : { 0.01, 0.5, 0.99 })
+    {
+      const double a = interval.From + part * (interval.To - interval.From);
+      const auto scores = tfc::CombinationScores(Correlations, Entropies, a, 0, 1);
+      for (size_t r = 0; r < interval.Order.size(); ++r)
+      {
+        EXPECT_EQ(scores.Rank[interval.Order[r]], static_cast<int>(r) + 1);
+      }
+    }
+    EXPECT_EQ(interval.Order[0], interval.To <= crossing + 1e-12 ? 4 : 3);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(Score, RankingIntervalsWithoutCrossingsOrCandidates)
+{
+  // The second is better in both respects.
+  const auto one =
+    tfc::RankingIntervals({ 1., .9, .1, .9, 1., 0., .1, 0., 1. }, { 8., 2., 4. }, 0, -1);
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0].Order, (std::vector<int>{ 2, 1 }));
+  EXPECT_EQ(one[0].To, 1.);
+  EXPECT_TRUE(tfc::RankingIntervals({ 1. }, { 8. }, 0, -1).empty());
+}

@@ -51,3 +51,13 @@ raises(ValueError, lambda: tfc.score(source, "V"), "'V:0'", "magnitude")
 cells = simple.PointDatatoCellData(Input=source)
 raises(ValueError, lambda: tfc.score(cells, "RTData"), "Cell Data to Point Data")
 check(not simple.FindSource("tfc.score"), "nothing stays in the pipeline after errors")
+
+intervals = tfc.stability(source, "RTData", "R")
+check(intervals[0].low == 0 and intervals[-1].high == 1, "intervals of the whole range")
+check(all(a.high == b.low for a, b in zip(intervals, intervals[1:])), "without gaps")
+for interval in intervals:
+    middle = (interval.low + interval.high) / 2
+    ranked = [r.attribute for r in tfc.score(source, "RTData", "R", balance=middle) if r.rank]
+    check(ranked == interval.ranking, "the ranking at %.3f: %s" % (middle, ranked))
+raises(ValueError, lambda: tfc.stability(source, "RTData", arrays=["RTData"]), "candidate")
+check(not simple.FindSource("tfc.score"), "and nothing stays in the pipeline")

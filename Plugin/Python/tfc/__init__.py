@@ -23,9 +23,10 @@ from .attributes import attributes
 from .display import apply, show
 from .model import Region, TransferFunction, load
 from .plugin import load_plugin
-from .scoring import Score, score
+from .scoring import Interval, Score, score, stability
 
 __all__ = [
+    "Interval",
     "Region",
     "Score",
     "TransferFunction",
@@ -35,4 +36,5 @@ __all__ = [
     "load_plugin",
     "score",
     "show",
+    "stability",
 ]

@@ -3,6 +3,7 @@
 """Which attribute to combine: the score of the paper's section 3.2."""
 
 from collections import namedtuple
+from contextlib import contextmanager
 
 from .display import find_array
 from .plugin import load_plugin
@@ -10,6 +11,10 @@ from .plugin import load_plugin
 Score = namedtuple("Score", "attribute correlation entropy score rank")
 Score.__doc__ = """One row of the score table: the correlation is with the primary attribute, the
 entropy in bits, rank 1 is best; 0 stands for the axes and for attributes without a score."""
+
+
+Interval = namedtuple("Interval", "low high ranking")
+Interval.__doc__ = """A range of the balance a in which the ranking, a list of names, is the same."""
 
 
 def _check_attribute(source, text):
@@ -41,18 +46,10 @@ def _collect_errors(proxy):
     return errors
 
 
-def score(source, primary, secondary=None, arrays=None, balance=0.4, bins=256, fill_values=()):
-    """Rank the attributes of a source as tertiary attributes, best first (Eq. 3 of the paper).
-
-    ``arrays`` are the attributes to look at, by default all point arrays with one component;
-    ``"velocity:0"`` and ``"velocity:magnitude"`` stand for one of an array with several.
-    ``balance`` is the a of Eq. 3, in [0, 1): larger weighs low correlation with the primary
-    attribute more, smaller weighs high entropy more. ``fill_values`` are numbers that stand for
-    missing data; NaN always does. Returns a list of :class:`Score`. The axes follow with rank 0.
-    Raises KeyError for an unknown array and ValueError, with the reason, when there is nothing to
-    score.
-    """
-    from paraview import servermanager, simple
+@contextmanager
+def _scored(source, primary, secondary, arrays, balance, bins, fill_values):
+    """The filter, updated with these parameters, while the context lasts; and its errors."""
+    from paraview import simple
 
     load_plugin()
     source.UpdatePipeline()
@@ -73,11 +70,34 @@ def score(source, primary, secondary=None, arrays=None, balance=0.4, bins=256, f
             scores.FillValues = list(fill_values)
         errors = _collect_errors(scores)
         scores.UpdatePipeline()
-        table = servermanager.Fetch(scores)
+        yield scores, errors
     finally:
         simple.Delete(scores)
+
+
+def _rows(scores, errors, port=0):
+    """The table of an output port; ValueError, with the reason, when it has no rows."""
+    from paraview import servermanager
+
+    table = servermanager.Fetch(scores, idx=port)
     if not table or table.GetNumberOfRows() == 0:
         raise ValueError("no scores: " + (" ".join(errors) or "see the server's messages"))
+    return table
+
+
+def score(source, primary, secondary=None, arrays=None, balance=0.4, bins=256, fill_values=()):
+    """Rank the attributes of a source as tertiary attributes, best first (Eq. 3 of the paper).
+
+    ``arrays`` are the attributes to look at, by default all point arrays with one component;
+    ``"velocity:0"`` and ``"velocity:magnitude"`` stand for one of an array with several.
+    ``balance`` is the a of Eq. 3, in [0, 1): larger weighs low correlation with the primary
+    attribute more, smaller weighs high entropy more. ``fill_values`` are numbers that stand for
+    missing data; NaN always does. Returns a list of :class:`Score`. The axes follow with rank 0.
+    Raises KeyError for an unknown array and ValueError, with the reason, when there is nothing to
+    score.
+    """
+    with _scored(source, primary, secondary, arrays, balance, bins, fill_values) as (scores, why):
+        table = _rows(scores, why)
     rows = []
     for row in range(table.GetNumberOfRows()):
         value = lambda column: table.GetValueByName(row, column)
@@ -91,3 +111,22 @@ def score(source, primary, secondary=None, arrays=None, balance=0.4, bins=256, f
             )
         )
     return rows
+
+
+def stability(source, primary, secondary=None, arrays=None, bins=256, fill_values=()):
+    """How the ranking of :func:`score` depends on the balance a.
+
+    Returns a list of :class:`Interval` that cover 0 to 1: the attributes, best first, while a is
+    between ``low`` and ``high``. Arguments and errors are those of :func:`score`.
+    """
+    with _scored(source, primary, secondary, arrays, 0.4, bins, fill_values) as (scores, errors):
+        _rows(scores, errors)
+        table = _rows(scores, ["no attribute is a candidate"], port=2)
+    return [
+        Interval(
+            table.GetValueByName(row, "from").ToDouble(),
+            table.GetValueByName(row, "to").ToDouble(),
+            table.GetValueByName(row, "ranking").ToString().split(", "),
+        )
+        for row in range(table.GetNumberOfRows())
+    ]
