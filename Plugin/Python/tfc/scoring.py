@@ -14,7 +14,7 @@ entropy in bits, rank 1 is best; 0 stands for the axes and for attributes withou
 
 
 Interval = namedtuple("Interval", "low high ranking")
-Interval.__doc__ = """A range of the balance a with the same ranking, a list of names, best first."""
+Interval.__doc__ = """A range of the balance a with one ranking, a list of names, best first."""
 
 
 def _check_attribute(source, text):
