@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace
 {
@@ -430,4 +431,23 @@ std::string vtkTFCDistributedImage::ShareText(bool has, const std::string& text)
     this->Controller->Broadcast(&shared[0], length, source);
   }
   return shared;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::int64_t> vtkTFCDistributedImage::Gather(
+  const std::vector<std::int64_t>& values) const
+{
+  if (this->NumberOfRanks == 1)
+  {
+    return values;
+  }
+  const vtkIdType length = static_cast<vtkIdType>(values.size());
+  std::vector<vtkIdType> lengths(this->NumberOfRanks);
+  this->Controller->AllGather(&length, lengths.data(), 1);
+  std::vector<vtkIdType> offsets(lengths.size(), 0);
+  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
+  const std::vector<long long> mine(values.begin(), values.end());
+  std::vector<long long> all(static_cast<size_t>(offsets.back() + lengths.back()));
+  this->Controller->AllGatherV(mine.data(), all.data(), length, lengths.data(), offsets.data());
+  return { all.begin(), all.end() };
 }

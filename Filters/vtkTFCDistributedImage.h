@@ -105,6 +105,11 @@ public:
   std::string ShareText(bool has, const std::string& text) const;
 
   /**
+   * Collective. The lists of all processes, one after the other in the order of ranks.
+   */
+  std::vector<std::int64_t> Gather(const std::vector<std::int64_t>& values) const;
+
+  /**
    * Number of samples of an extent; 0 for an empty one.
    */
   static vtkIdType GetNumberOfSamples(const Extent& extent);

@@ -111,6 +111,20 @@ void vtkTFCAttributeReader::Read(int attribute, vtkIdType begin, vtkIdType count
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCAttributeReader::ReadAll(vtkIdType begin, vtkIdType count, vtkIdType stride,
+  double* out) const
+{
+  for (size_t a = 0; a < this->Sources.size(); ++a)
+  {
+    this->Read(static_cast<int>(a), begin, count, out + static_cast<vtkIdType>(a) * stride);
+  }
+  for (vtkIdType i = 0; this->HasHidden() && i < count; ++i)
+  {
+    out[i] = this->IsHidden(begin + i) ? std::numeric_limits<double>::quiet_NaN() : out[i];
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCAttributeReader::FiniteRange(int attribute, double range[2]) const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

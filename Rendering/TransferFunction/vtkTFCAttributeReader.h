@@ -52,6 +52,12 @@ public:
    */
   void Read(int attribute, vtkIdType begin, vtkIdType count, double* out) const;
 
+  /**
+   * The same for all attributes, each to its own `stride` values of `out`, as vtkTFCClassifier
+   * wants them: blanked samples have NaN as first attribute, which is in no region.
+   */
+  void ReadAll(vtkIdType begin, vtkIdType count, vtkIdType stride, double* out) const;
+
   ///@{
   /**
    * Whether some, or this, point or cell is blanked (HIDDENPOINT, HIDDENCELL of vtkGhostType).

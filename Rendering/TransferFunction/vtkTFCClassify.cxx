@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 vtkStandardNewMacro(vtkTFCClassify);
@@ -97,16 +96,7 @@ bool ClassifyBlock(vtkDataSet* block, const vtkTFCAttributeReader& reader,
     for (vtkIdType first = begin; first < end; first += chunk)
     {
       const vtkIdType count = std::min(chunk, end - first);
-      for (int a = 0; a < attributes; ++a)
-      {
-        reader.Read(a, first, count, scratch.data() + a * chunk);
-      }
-      for (vtkIdType i = 0; reader.HasHidden() && i < count; ++i)
-      {
-        // NaN is in no region, which is what blanked values are to get.
-        scratch[i] =
-          reader.IsHidden(first + i) ? std::numeric_limits<double>::quiet_NaN() : scratch[i];
-      }
+      reader.ReadAll(first, count, chunk, scratch.data());
       classifier.Classify(static_cast<size_t>(count), pointers.data(), rgbaValues + 4 * first,
         regionValues + first, opacityValues + first);
     }

@@ -15,18 +15,21 @@ Function Combinations", Computers & Graphics 36(6), 2012)::
         print(row)
 
 Everything is in data units. ``help(tfc.TransferFunction)`` has the details, ``tfc.show`` renders,
-``tfc.attributes`` computes attributes of a volume, ``tfc.score`` ranks them. The plugin is loaded
-when it is first needed.
+``tfc.attributes`` computes attributes of a volume, ``tfc.score`` ranks them, ``tfc.quality``
+compares a transfer function with labels. The plugin is loaded when it is first needed.
 """
 
 from .attributes import attributes
 from .display import apply, show
 from .model import Region, TransferFunction, load
 from .plugin import load_plugin
+from .quality import LabelQuality, Quality, quality
 from .scoring import Interval, Score, score, stability
 
 __all__ = [
     "Interval",
+    "LabelQuality",
+    "Quality",
     "Region",
     "Score",
     "TransferFunction",
@@ -34,6 +37,7 @@ __all__ = [
     "attributes",
     "load",
     "load_plugin",
+    "quality",
     "score",
     "show",
     "stability",
