@@ -21,14 +21,35 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace
 {
 
 //------------------------------------------------------------------------------
+std::string MakeDefinitions(unsigned int features)
+{
+  const auto define = [](const char* name, int value)
+  { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
+  std::string text = define("TFC_RECORD_TEXELS", vtkTFCShaderTables::RecordTexels) +
+    define("TFC_BUCKETS", vtkTFCShaderTables::Buckets);
+  const std::pair<unsigned int, const char*> names[] = {
+    { vtkTFCShaderTables::Polygons, "TFC_POLYGONS" },
+    { vtkTFCShaderTables::Gaussians, "TFC_GAUSSIANS" },
+    { vtkTFCShaderTables::Tertiaries, "TFC_TERTIARIES" },
+    { vtkTFCShaderTables::TertiaryColors, "TFC_TERTIARY_COLORS" },
+  };
+  for (const auto& [feature, name] : names)
+  {
+    text += features & feature ? define(name, 1) : "";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 // Put our functions and the calls to them at the tags of VTK's ray casting shader. Tags that VTK
 // still has to fill are kept in the replacement.
-void InstallReplacements(vtkShaderProperty* shader)
+void InstallReplacements(vtkShaderProperty* shader, const std::string& definitions)
 {
   const std::string ownTag = "//VTK::CustomUniforms::Dec";
   for (int i = 0; i < shader->GetNumberOfShaderReplacements(); ++i)
@@ -38,7 +59,8 @@ void InstallReplacements(vtkShaderProperty* shader)
     bool replaceFirst = false;
     bool replaceAll = false;
     shader->GetNthShaderReplacement(i, name, replaceFirst, replacement, replaceAll);
-    if (name == ownTag && shader->GetNthShaderReplacementTypeAsString(i) == "Fragment")
+    if (name == ownTag && replacement == definitions &&
+      shader->GetNthShaderReplacementTypeAsString(i) == "Fragment")
     {
       return;
     }
@@ -48,12 +70,14 @@ void InstallReplacements(vtkShaderProperty* shader)
 
   // VTK would declare the uniforms here by the type they are set with, which for a sampler is an
   // integer. Our files declare them, where a reader looks for them.
-  replace(ownTag, "");
+  replace(ownTag, definitions);
   replace("//VTK::ComputeOpacity::Dec",
     std::string(vtkTFCRay_glsl) + vtkTFCTables_glsl + vtkTFCShapes_glsl + vtkTFCTertiary_glsl +
       vtkTFCClassify_glsl);
   replace("//VTK::ComputeGradient::Dec", vtkTFCGradient_glsl);
   replace("//VTK::ComputeColor::Dec", vtkTFCShade_glsl);
+  replace("//VTK::Shading::Impl",
+    "if (!g_skip)\n    {\n      tfcComposite(texture(in_volume[0], g_dataPos));\n    }");
   replace("//VTK::Clipping::Impl", "g_tfcSegmentStart = g_dataPos;\n//VTK::Clipping::Impl");
   // Depth peeling would move the start to a sample, and drop segments shorter than a step.
   replace("//VTK::DepthPeeling::Ray::PathCheck", "");
@@ -84,6 +108,8 @@ void vtkTFCRayCastMapper::SetTables(const vtkTFCShaderTables& tables, unsigned i
   if (generation != this->TablesGeneration)
   {
     this->Tables = tables;
+    // Never dropped again: an edit back and forth builds no shader.
+    this->Features |= tables.FeaturesUsed;
     this->TablesGeneration = generation;
   }
 }
@@ -114,11 +140,9 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
 {
   vtkUniforms* uniforms = vol->GetShaderProperty()->GetFragmentCustomUniforms();
   uniforms->SetUniformi("in_tfcTables", this->Texture->GetTextureUnit());
-  uniforms->SetUniformi("in_tfcGridSize", vtkTFCShaderTables::GridSize);
-  uniforms->SetUniformi("in_tfcCandidateBase", this->Tables.CandidateBase);
+  uniforms->SetUniformi("in_tfcGridSize", this->Tables.GridSize);
   uniforms->SetUniform2f("in_tfcAxisScale", this->Tables.AxisScale.data());
   uniforms->SetUniform2f("in_tfcAxisBias", this->Tables.AxisBias.data());
-  uniforms->SetUniform2f("in_tfcAxisChannel", this->Tables.AxisChannel.data());
   uniforms->SetUniformi("in_tfcBlendOver", this->Tables.BlendOver ? 1 : 0);
   uniforms->SetUniformf("in_tfcInverseUnitDistance", static_cast<float>(1.0 / this->UnitDistance));
 
@@ -155,7 +179,7 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
     return;
   }
   this->Texture->Activate();
-  InstallReplacements(vol->GetShaderProperty());
+  InstallReplacements(vol->GetShaderProperty(), MakeDefinitions(this->Features));
   this->SetUniforms(vol);
   this->Superclass::GPURender(ren, vol);
   this->Texture->Deactivate();

@@ -11,11 +11,14 @@
  * their uniforms. Lights, opaque geometry, depth peeling, picking and the off-centre viewport stay
  * VTK's.
  *
- * The input is a vtkImageData whose active scalars are four float components
+ * The input is a vtkImageData whose active scalars are two or four float components
  * (vtkTFCAttributePacker). The volume's property must have IndependentComponents off.
  *
  * The replacements live in the shader property of the rendered vtkVolume and stay there: do not
  * give that volume to another kind of GPU mapper afterwards.
+ *
+ * What no model has used so far (vtkTFCShaderTables::Features) is not compiled; its first use
+ * builds a shader once.
  *
  * No setter here touches the modification time when the shader does not change, so nothing is
  * rebuilt when a region, a plane or the sample distance is edited.
@@ -86,6 +89,7 @@ private:
 
   vtkTFCShaderTables Tables;
   unsigned int TablesGeneration = 0;
+  unsigned int Features = 0; // of all tables so far
   std::unique_ptr<vtkTFCTableTexture> Texture;
   Visibility Visible;
   double UnitDistance = 1;

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCShaderTables.h"
 
+#include "vtkTFCRegionExtent.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <unordered_map>
 
 namespace
 {
 
-constexpr int GridSize = vtkTFCShaderTables::GridSize;
 using Texel = std::array<float, 4>;
 
 Texel MakeTexel(double x, double y = 0, double z = 0, double w = 0)
@@ -25,7 +29,7 @@ struct CellRange
   int Last;
 };
 
-CellRange CellsOf(double minimum, double maximum)
+CellRange CellsOf(double minimum, double maximum, int size)
 {
   // The shader finds its cell in single precision: widen by more than that rounding.
   constexpr double margin = 1e-5;
@@ -33,106 +37,207 @@ CellRange CellsOf(double minimum, double maximum)
   {
     return { 0, -1 };
   }
-  const double first = std::floor((minimum - margin) * GridSize);
-  const double last = std::floor((maximum + margin) * GridSize);
-  return { static_cast<int>(std::clamp(first, 0.0, GridSize - 1.0)),
-    static_cast<int>(std::clamp(last, 0.0, GridSize - 1.0)) };
+  const double first = std::floor((minimum - margin) * size);
+  const double last = std::floor((maximum + margin) * size);
+  return { static_cast<int>(std::clamp(first, 0.0, size - 1.0)),
+    static_cast<int>(std::clamp(last, 0.0, size - 1.0)) };
 }
 
 //------------------------------------------------------------------------------
-// Candidate lists of all cells, in list order: positions in model.Regions.
-std::vector<std::vector<int>> FindCandidates(const vtkTFCCompiledModel& model)
+// Sets of regions that share a cell, as a tree: a set is its parent and one region more. Equal sets
+// are one set, so their records are written once.
+class RegionSets
 {
-  std::vector<std::vector<int>> candidates(static_cast<size_t>(GridSize) * GridSize);
+public:
+  RegionSets() { this->Sets.push_back({ 0, -1, 0 }); }
+
+  int Add(int set, int region)
+  {
+    const auto key = static_cast<std::uint64_t>(set) << 32 | static_cast<std::uint32_t>(region);
+    const auto [place, isNew] = this->Children.emplace(key, static_cast<int>(this->Sets.size()));
+    if (isNew)
+    {
+      this->Sets.push_back({ set, region, this->Sets[set].Size + 1 });
+    }
+    return place->second;
+  }
+
+  std::vector<int> GetRegions(int set) const
+  {
+    std::vector<int> regions(this->Sets[set].Size);
+    for (auto r = regions.rbegin(); r != regions.rend(); ++r)
+    {
+      *r = this->Sets[set].Region;
+      set = this->Sets[set].Parent;
+    }
+    return regions;
+  }
+
+  int GetSize(int set) const { return this->Sets[set].Size; }
+  int GetNumberOfSets() const { return static_cast<int>(this->Sets.size()); }
+
+private:
+  struct Set
+  {
+    int Parent;
+    int Region;
+    int Size;
+  };
+  std::vector<Set> Sets;
+  std::unordered_map<std::uint64_t, int> Children;
+};
+
+//------------------------------------------------------------------------------
+// The set of every cell of a grid of size x size.
+std::vector<int> FindSets(const vtkTFCCompiledModel& model, int size, RegionSets& sets)
+{
+  std::vector<int> cells(static_cast<size_t>(size) * size, 0);
+  // The shader finds its cell in single precision: widen by more than that rounding.
+  constexpr double margin = 1e-5;
   for (size_t r = 0; r < model.Regions.size(); ++r)
   {
     const auto& bounds = model.Regions[r].Bounds;
-    const CellRange x = CellsOf(bounds[0], bounds[1]);
-    const CellRange y = CellsOf(bounds[2], bounds[3]);
+    const CellRange x = CellsOf(bounds[0], bounds[1], size);
+    const CellRange y = CellsOf(bounds[2], bounds[3], size);
     for (int j = y.First; j <= y.Last; ++j)
     {
+      int from = -1;
+      int to = -1;
       for (int i = x.First; i <= x.Last; ++i)
       {
-        candidates[static_cast<size_t>(j) * GridSize + i].push_back(static_cast<int>(r));
+        if (vtkTFCMayOverlap(model.Regions[r],
+              { static_cast<double>(i) / size - margin, (i + 1.0) / size + margin,
+                static_cast<double>(j) / size - margin, (j + 1.0) / size + margin }))
+        {
+          int& cell = cells[static_cast<size_t>(j) * size + i];
+          if (cell != from)
+          {
+            from = cell;
+            to = sets.Add(cell, static_cast<int>(r));
+          }
+          cell = to;
+        }
       }
     }
   }
-  return candidates;
+  return cells;
 }
 
 //------------------------------------------------------------------------------
-// Appends edges and nodes behind everything else and hands out their positions.
-class Appender
+// The linear pieces of an opacity function in stored units, and the buckets that point into them.
+void WriteFunction(const std::vector<std::array<double, 2>>& nodes,
+  const vtkTFCStoredAttribute& stored, std::vector<Texel>& texels, Texel& function)
 {
-public:
-  explicit Appender(int base)
-    : Base(base)
+  constexpr int buckets = vtkTFCShaderTables::Buckets;
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  std::vector<float> values; // as the shader compares them
+  for (const auto& node : nodes)
   {
+    values.push_back(static_cast<float>((node[0] - stored.Offset) / stored.Scale));
   }
+  const auto first = static_cast<int>(texels.size());
+  const int firstPiece = first + buckets;
 
-  int Edges(const std::vector<std::array<double, 2>>& points)
+  std::vector<Texel> pieces;
+  const auto add = [&](double a, double b, float end)
+  { pieces.push_back(MakeTexel(a, b, end, firstPiece + static_cast<double>(pieces.size()) + 1)); };
+  add(nodes.front()[1], 0.0, values.front());
+  for (size_t i = 0; i + 1 < nodes.size(); ++i)
   {
-    const int first = this->Next();
+    const double span = static_cast<double>(values[i + 1]) - values[i];
+    if (span > 0.0)
+    {
+      const double slope = (nodes[i + 1][1] - nodes[i][1]) / span;
+      add(nodes[i][1] - slope * values[i], slope, values[i + 1]);
+    }
+  }
+  add(nodes.back()[1], 0.0, infinity);
+
+  // Reaches beyond both end nodes, where the function is constant.
+  const double span = std::max(static_cast<double>(values.back()) - values.front(),
+    1e-6 * std::max(1.0, std::abs(static_cast<double>(values.front()))));
+  const double low = values.front() - 0.02 * span;
+  const double width = 1.04 * span / buckets;
+  function[1] = static_cast<float>(first);
+  function[2] = static_cast<float>(low);
+  function[3] = static_cast<float>(1.0 / width);
+  size_t piece = 0;
+  for (int i = 0; i < buckets; ++i)
+  {
+    // Rounding in the shader may choose the next bucket too early.
+    const double begin = low + (i - 0.01) * width;
+    while (i > 0 && pieces[piece][2] <= begin)
+    {
+      ++piece;
+    }
+    texels.push_back(pieces[piece]);
+  }
+  texels.insert(texels.end(), pieces.begin(), pieces.end());
+}
+
+//------------------------------------------------------------------------------
+// A region's record; its edges and functions are appended to the list.
+std::array<Texel, vtkTFCShaderTables::RecordTexels> MakeRecord(const vtkTFCCompiledRegion& region,
+  const std::vector<vtkTFCStoredAttribute>& stored, size_t constantOne, std::vector<Texel>& texels)
+{
+  std::array<Texel, vtkTFCShaderTables::RecordTexels> record;
+  const double type = static_cast<int>(region.Shape) + 4 * static_cast<int>(region.Falloff);
+  if (region.Shape == vtkTFCShapeType::Ellipse || region.Shape == vtkTFCShapeType::Rectangle)
+  {
+    const auto& half = region.HalfSize;
+    record[0] =
+      MakeTexel(region.Center[0], region.Center[1], region.Cosine / half[0], region.Sine / half[0]);
+    record[1] =
+      MakeTexel(-region.Sine / half[1], region.Cosine / half[1], 1.0 / region.Width, type);
+  }
+  else
+  {
+    const auto& points = region.Points;
+    record[0] = MakeTexel(static_cast<double>(texels.size()), static_cast<double>(points.size()),
+      1.0 / region.MaximumEdgeDistance);
+    record[1] = MakeTexel(0, 0, 1.0 / region.Width, type);
     for (size_t i = 0; i < points.size(); ++i)
     {
       const auto& a = points[i];
       const auto& b = points[(i + 1) % points.size()];
-      this->Texels.push_back(MakeTexel(a[0], a[1], b[0], b[1]));
+      texels.push_back(MakeTexel(a[0], a[1], b[0], b[1]));
     }
-    return first;
   }
-
-  template <size_t N>
-  int Nodes(const std::vector<std::array<double, N>>& nodes, const vtkTFCStoredAttribute& stored)
-  {
-    const int first = this->Next();
-    for (const auto& node : nodes)
-    {
-      Texel texel = MakeTexel((node[0] - stored.Offset) / stored.Scale);
-      for (size_t c = 1; c < N; ++c)
-      {
-        texel[c] = static_cast<float>(node[c]);
-      }
-      this->Texels.push_back(texel);
-    }
-    return first;
-  }
-
-  std::vector<Texel> Texels;
-
-private:
-  int Next() const { return this->Base + static_cast<int>(this->Texels.size()); }
-  int Base;
-};
-
-//------------------------------------------------------------------------------
-void WriteRegion(const vtkTFCCompiledRegion& region,
-  const std::vector<vtkTFCStoredAttribute>& stored, Texel* texels, Appender& appender)
-{
-  texels[0] = MakeTexel(static_cast<int>(region.Shape) + 4 * static_cast<int>(region.Falloff),
-    region.Width, region.Opacity, 0);
-  texels[2] = MakeTexel(0, 0, -1, 0);
-  texels[3] = MakeTexel(region.Color[0], region.Color[1], region.Color[2], 0);
-  if (region.Shape == vtkTFCShapeType::Ellipse || region.Shape == vtkTFCShapeType::Rectangle)
-  {
-    texels[1] = MakeTexel(region.Center[0], region.Center[1], region.Cosine, region.Sine);
-    texels[2][0] = static_cast<float>(1.0 / region.HalfSize[0]);
-    texels[2][1] = static_cast<float>(1.0 / region.HalfSize[1]);
-  }
-  else
-  {
-    texels[1] = MakeTexel(appender.Edges(region.Points), static_cast<double>(region.Points.size()),
-      1.0 / region.MaximumEdgeDistance);
-  }
+  record[2] = MakeTexel(region.Opacity, region.Color[0], region.Color[1], region.Color[2]);
+  record[3] = MakeTexel(0, static_cast<double>(constantOne), 0, 1);
   if (region.Tertiary >= 0)
   {
     const vtkTFCStoredAttribute& attribute = stored[region.Tertiary];
-    texels[2][2] = static_cast<float>(attribute.Channel);
-    texels[2][3] = static_cast<float>(appender.Nodes(region.TertiaryOpacity, attribute));
-    texels[3][3] = static_cast<float>(region.TertiaryOpacity.size());
-    appender.Nodes(region.TertiaryColor, attribute);
-    texels[0][3] = static_cast<float>(region.TertiaryColor.size());
+    record[3][0] = static_cast<float>(attribute.Channel);
+    const auto first = static_cast<double>(texels.size());
+    for (const auto& node : region.TertiaryColor)
+    {
+      texels.push_back(
+        MakeTexel((node[0] - attribute.Offset) / attribute.Scale, node[1], node[2], node[3]));
+    }
+    texels.push_back(MakeTexel(first, static_cast<double>(region.TertiaryColor.size())));
+    WriteFunction(region.TertiaryOpacity, attribute, texels, record[3]);
   }
+  return record;
+}
+
+//------------------------------------------------------------------------------
+unsigned int FindFeatures(const vtkTFCCompiledModel& model)
+{
+  unsigned int features = 0;
+  for (const auto& region : model.Regions)
+  {
+    features |=
+      region.Shape == vtkTFCShapeType::Triangle || region.Shape == vtkTFCShapeType::Polygon
+      ? vtkTFCShaderTables::Polygons
+      : 0;
+    features |= region.Falloff == vtkTFCFalloffType::Gaussian ? vtkTFCShaderTables::Gaussians : 0;
+    features |= region.Tertiary >= 0 ? vtkTFCShaderTables::Tertiaries : 0;
+    features |= region.Tertiary >= 0 && !region.TertiaryColor.empty()
+      ? vtkTFCShaderTables::TertiaryColors
+      : 0;
+  }
+  return features;
 }
 
 }
@@ -150,38 +255,58 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
     const double extent = range[1] - range[0];
     tables.AxisScale[axis] = static_cast<float>(stored[axis].Scale / extent);
     tables.AxisBias[axis] = static_cast<float>((stored[axis].Offset - range[0]) / extent);
-    tables.AxisChannel[axis] = static_cast<float>(stored[axis].Channel);
   }
 
-  const auto candidates = FindCandidates(model);
-  size_t numberOfCandidates = 0;
-  for (const auto& cell : candidates)
-  {
-    numberOfCandidates += cell.size();
-  }
-  tables.CandidateBase = GridSize * GridSize;
-  const int regionBase = tables.CandidateBase + static_cast<int>((numberOfCandidates + 3) / 4);
-  const int tailBase = regionBase + RegionTexels * static_cast<int>(model.Regions.size());
-  tables.Texels.resize(tailBase, MakeTexel(0));
+  tables.FeaturesUsed = FindFeatures(model);
 
-  int entry = 0;
-  for (size_t cell = 0; cell < candidates.size(); ++cell)
+  // Where very many regions overlap in very many ways, a coarser grid keeps the list short.
+  RegionSets sets;
+  std::vector<int> cells;
+  size_t records = 0;
+  for (tables.GridSize = LargestGridSize;; tables.GridSize /= 2)
   {
-    tables.Texels[cell] = MakeTexel(entry, static_cast<double>(candidates[cell].size()));
-    for (const int region : candidates[cell])
+    sets = RegionSets();
+    cells = FindSets(model, tables.GridSize, sets);
+    std::vector<char> used(sets.GetNumberOfSets(), 0);
+    records = 0;
+    for (const int set : cells)
     {
-      tables.Texels[tables.CandidateBase + entry / 4][entry % 4] =
-        static_cast<float>(regionBase + RegionTexels * region);
-      ++entry;
+      records += used[set] ? 0 : sets.GetSize(set);
+      used[set] = 1;
+    }
+    if (records <= LargestNumberOfRecords || tables.GridSize == 1)
+    {
+      break;
     }
   }
 
-  Appender appender(tailBase);
-  for (size_t r = 0; r < model.Regions.size(); ++r)
+  auto& texels = tables.Texels;
+  texels.resize(cells.size(), MakeTexel(0));
+  // The function of regions without one: they need no case of their own in the shader.
+  texels.push_back(MakeTexel(0));
+  const size_t constantOne = texels.size();
+  texels.resize(constantOne + Buckets, MakeTexel(1, 0, std::numeric_limits<float>::infinity()));
+  std::vector<std::array<Texel, RecordTexels>> regions;
+  for (const auto& region : model.Regions)
   {
-    WriteRegion(model.Regions[r], stored, &tables.Texels[regionBase + RegionTexels * r], appender);
+    regions.push_back(MakeRecord(region, stored, constantOne, texels));
   }
-  tables.Texels.insert(tables.Texels.end(), appender.Texels.begin(), appender.Texels.end());
+  texels.reserve(texels.size() + RecordTexels * records + RowLength);
+  std::vector<int> places(sets.GetNumberOfSets(), -1);
+  for (size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    const int set = cells[cell];
+    if (places[set] < 0)
+    {
+      places[set] = static_cast<int>(texels.size());
+      for (const int region : sets.GetRegions(set))
+      {
+        texels.insert(texels.end(), regions[region].begin(), regions[region].end());
+      }
+    }
+    const int end = places[set] + RecordTexels * sets.GetSize(set);
+    texels[cell] = MakeTexel(places[set], end);
+  }
 
   const size_t rows = (tables.Texels.size() + RowLength - 1) / RowLength;
   tables.Texels.resize(rows * RowLength, MakeTexel(0));

@@ -9,19 +9,22 @@
 
 uniform vec2 in_tfcAxisScale;      // stored value -> axis units
 uniform vec2 in_tfcAxisBias;
-uniform vec2 in_tfcAxisChannel;    // channels of the primary and the secondary attribute
 uniform int in_tfcBlendOver;
 uniform float in_tfcInverseUnitDistance;
 
 vec3 g_tfcColor; // of the last classified sample
 
-// Colour in rgb and the opacity per unit distance in a.
+// Colour in rgb and the opacity per unit distance in a. The axes are in the first two channels.
 vec4 tfcClassify(vec4 attributes)
 {
-  vec2 axes = vec2(attributes[int(in_tfcAxisChannel.x)], attributes[int(in_tfcAxisChannel.y)]);
-  vec2 p = axes * in_tfcAxisScale + in_tfcAxisBias;
+  vec2 p = attributes.xy * in_tfcAxisScale + in_tfcAxisBias;
   // Written so that NaN fails: no region outside the axes, nor where there is no data.
   if (!(p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0))
+  {
+    return vec4(0.0);
+  }
+  ivec2 records = tfcRecords(p);
+  if (records.x >= records.y)
   {
     return vec4(0.0);
   }
@@ -29,51 +32,48 @@ vec4 tfcClassify(vec4 attributes)
   vec3 colorSum = vec3(0.0);
   float alphaSum = 0.0;
   float transparency = 1.0;
-  ivec2 candidates = tfcCandidates(p);
-  for (int i = 0; i < candidates.y; ++i)
+  do
   {
-    int region = tfcCandidateRegion(candidates.x + i);
-    vec4 head = tfcFetch(region);
-    vec4 size = tfcFetch(region + 2); // and tertiary channel or -1, first opacity node
-    float weight = tfcRegionWeight(head, tfcFetch(region + 1), size.xy, p);
-    if (weight <= 0.0)
+    vec4 paint = tfcFetch(records.x + 2); // opacity and colour
+    float alpha = paint.x *
+      tfcRegionWeight(tfcFetch(records.x), tfcFetch(records.x + 1), p);
+    vec3 color = paint.yzw;
+#ifdef TFC_TERTIARIES
+    vec4 function = tfcFetch(records.x + 3);
+    float v = tfcChannel(attributes, function.x);
+    alpha *= tfcTertiaryOpacity(function, v);
+#ifdef TFC_TERTIARY_COLORS
+    vec4 nodes = tfcFetch(int(function.y) - 1); // first, count
+    if (nodes.y > 0.0 && alpha > 0.0)
     {
-      continue;
+      color = tfcTertiaryColor(int(nodes.x), int(nodes.y), v);
     }
-    vec4 color = tfcFetch(region + 3); // and number of opacity nodes
-    float alpha = head.z * weight;
-    if (size.z >= 0.0)
-    {
-      float v = attributes[int(size.z)];
-      int nodes = int(color.w);
-      alpha *= tfcTertiaryOpacity(int(size.w), nodes, v);
-      if (alpha > 0.0 && head.w > 0.0)
-      {
-        color.rgb = tfcPiecewiseLinear(int(size.w) + nodes, int(head.w), v);
-      }
-    }
-    if (alpha <= 0.0)
-    {
-      continue;
-    }
+#endif
+#endif
     float contribution = in_tfcBlendOver != 0 ? transparency * alpha : alpha;
-    colorSum += contribution * color.rgb;
+    colorSum += contribution * color;
     alphaSum += contribution;
     transparency *= 1.0 - alpha;
-  }
+    records.x += TFC_RECORD_TEXELS;
+  } while (records.x < records.y);
   return alphaSum > 0.0 ? vec4(colorSum / alphaSum, 1.0 - transparency) : vec4(0.0);
 }
 
-// The two functions that VTK's ray casting loop calls. Opacity is per unit distance in the model
-// and corrected here for the length of the current piece.
+// Opacity of the current piece of the ray, where it is `opacity` per unit distance.
+float tfcPieceOpacity(float opacity)
+{
+  float units = g_tfcWeight * g_tfcWorldStep * in_tfcInverseUnitDistance;
+  if (!(opacity > 0.0 && units > 0.0))
+  {
+    return 0.0;
+  }
+  return opacity < 1.0 ? 1.0 - pow(1.0 - opacity, units) : 1.0;
+}
+
+// VTK's name for the same.
 float computeOpacity(vec4 attributes)
 {
   vec4 classified = tfcClassify(attributes);
   g_tfcColor = classified.rgb;
-  float units = g_tfcWeight * g_tfcWorldStep * in_tfcInverseUnitDistance;
-  if (!(classified.a > 0.0 && units > 0.0))
-  {
-    return 0.0;
-  }
-  return classified.a < 1.0 ? 1.0 - pow(1.0 - classified.a, units) : 1.0;
+  return tfcPieceOpacity(classified.a);
 }

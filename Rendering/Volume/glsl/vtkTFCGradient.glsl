@@ -27,10 +27,9 @@ void tfcBeginLight()
 
 vec4 computeGradient(in vec3 position, in int component, in sampler3D volume, in int index)
 {
-  int channel = int(in_tfcAxisChannel.x);
   vec3 size = vec3(textureSize(volume, 0));
   vec3 low = 0.5 / size;
-  float center = texture(volume, position)[channel];
+  float center = texture(volume, position).x;
   vec3 slope;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -38,8 +37,8 @@ vec4 computeGradient(in vec3 position, in int component, in sampler3D volume, in
     vec3 behind = position;
     ahead[axis] = min(position[axis] + 1.0 / size[axis], 1.0 - low[axis]);
     behind[axis] = max(position[axis] - 1.0 / size[axis], low[axis]);
-    float valueAhead = texture(volume, ahead)[channel];
-    float valueBehind = texture(volume, behind)[channel];
+    float valueAhead = texture(volume, ahead).x;
+    float valueBehind = texture(volume, behind).x;
     if (!(valueAhead == valueAhead))
     {
       valueAhead = center;
