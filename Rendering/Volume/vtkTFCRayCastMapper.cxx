@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCRayCastMapper.h"
 
+#include "vtkTFCBrickRanges.h"
+#include "vtkTFCBrickTexture.h"
 #include "vtkTFCTableTexture.h"
 
 #include "vtkTFCClassify_glsl.h"
 #include "vtkTFCGradient_glsl.h"
+#include "vtkTFCLeap_glsl.h"
 #include "vtkTFCRay_glsl.h"
 #include "vtkTFCShade_glsl.h"
 #include "vtkTFCShapes_glsl.h"
@@ -32,7 +35,8 @@ std::string MakeDefinitions(unsigned int features)
   const auto define = [](const char* name, int value)
   { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
   std::string text = define("TFC_RECORD_TEXELS", vtkTFCShaderTables::RecordTexels) +
-    define("TFC_BUCKETS", vtkTFCShaderTables::Buckets);
+    define("TFC_BUCKETS", vtkTFCShaderTables::Buckets) +
+    define("TFC_BRICK_SIZE", vtkTFCBrickRanges::Size);
   const std::pair<unsigned int, const char*> names[] = {
     { vtkTFCShaderTables::Polygons, "TFC_POLYGONS" },
     { vtkTFCShaderTables::Gaussians, "TFC_GAUSSIANS" },
@@ -72,8 +76,8 @@ void InstallReplacements(vtkShaderProperty* shader, const std::string& definitio
   // integer. Our files declare them, where a reader looks for them.
   replace(ownTag, definitions);
   replace("//VTK::ComputeOpacity::Dec",
-    std::string(vtkTFCRay_glsl) + vtkTFCTables_glsl + vtkTFCShapes_glsl + vtkTFCTertiary_glsl +
-      vtkTFCClassify_glsl);
+    std::string(vtkTFCRay_glsl) + vtkTFCLeap_glsl + vtkTFCTables_glsl + vtkTFCShapes_glsl +
+      vtkTFCTertiary_glsl + vtkTFCClassify_glsl);
   replace("//VTK::ComputeGradient::Dec", vtkTFCGradient_glsl);
   replace("//VTK::ComputeColor::Dec", vtkTFCShade_glsl);
   replace("//VTK::Shading::Impl",
@@ -81,7 +85,8 @@ void InstallReplacements(vtkShaderProperty* shader, const std::string& definitio
   replace("//VTK::Clipping::Impl", "g_tfcSegmentStart = g_dataPos;\n//VTK::Clipping::Impl");
   // Depth peeling would move the start to a sample, and drop segments shorter than a step.
   replace("//VTK::DepthPeeling::Ray::PathCheck", "");
-  replace("//VTK::Shading::Init", "tfcBeginRay();\n  tfcBeginLight();\n//VTK::Shading::Init");
+  replace("//VTK::Shading::Init",
+    "tfcBeginRay();\n  tfcBeginLeaps();\n  tfcBeginLight();\n//VTK::Shading::Init");
   replace("//VTK::Base::Impl",
     "tfcBeginSample();\n//VTK::Base::Impl\n    g_skip = g_skip || tfcCropped();");
   replace("//VTK::Terminate::Impl", "if (tfcEndSample()) { break; }");
@@ -94,6 +99,7 @@ vtkStandardNewMacro(vtkTFCRayCastMapper);
 //------------------------------------------------------------------------------
 vtkTFCRayCastMapper::vtkTFCRayCastMapper()
   : Texture(new vtkTFCTableTexture)
+  , BrickTexture(new vtkTFCBrickTexture)
 {
   this->AutoAdjustSampleDistances = 0;
   this->UseJittering = 0;
@@ -115,6 +121,15 @@ void vtkTFCRayCastMapper::SetTables(const vtkTFCShaderTables& tables, unsigned i
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::SetBricks(std::vector<unsigned char> distances,
+  const std::array<int, 3>& dimensions)
+{
+  this->BrickDistances = std::move(distances);
+  this->BrickDimensions = dimensions;
+  ++this->BrickGeneration;
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCRayCastMapper::SetDistances(double sampleDistance, double unitDistance)
 {
   // Not SetSampleDistance(): it marks the mapper modified, and VTK then builds the shader again.
@@ -132,6 +147,7 @@ int vtkTFCRayCastMapper::GetNumberOfTableUploads() const
 void vtkTFCRayCastMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
+  this->BrickTexture->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -140,6 +156,7 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
 {
   vtkUniforms* uniforms = vol->GetShaderProperty()->GetFragmentCustomUniforms();
   uniforms->SetUniformi("in_tfcTables", this->Texture->GetTextureUnit());
+  uniforms->SetUniformi("in_tfcBricks", this->BrickTexture->GetTextureUnit());
   uniforms->SetUniformi("in_tfcGridSize", this->Tables.GridSize);
   uniforms->SetUniform2f("in_tfcAxisScale", this->Tables.AxisScale.data());
   uniforms->SetUniform2f("in_tfcAxisBias", this->Tables.AxisBias.data());
@@ -178,10 +195,20 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
          "points.");
     return;
   }
+  if (!this->BrickTexture->Upload(window, this->BrickDistances, this->BrickDimensions,
+        this->BrickGeneration))
+  {
+    vtkErrorMacro("The graphics driver refuses a texture of "
+      << this->BrickDimensions[0] << " x " << this->BrickDimensions[1] << " x "
+      << this->BrickDimensions[2] << " bytes for skipping empty space.");
+    return;
+  }
   this->Texture->Activate();
+  this->BrickTexture->Activate();
   InstallReplacements(vol->GetShaderProperty(), MakeDefinitions(this->Features));
   this->SetUniforms(vol);
   this->Superclass::GPURender(ren, vol);
+  this->BrickTexture->Deactivate();
   this->Texture->Deactivate();
 }
 

@@ -35,6 +35,7 @@
 #include <memory> // For the texture
 #include <vector> // For planes
 
+class vtkTFCBrickTexture;
 class vtkTFCTableTexture;
 
 class VTKTFCVOLUME_EXPORT vtkTFCRayCastMapper : public vtkOpenGLGPUVolumeRayCastMapper
@@ -64,6 +65,9 @@ public:
   /// The classification. `generation` must grow with every change.
   void SetTables(const vtkTFCShaderTables& tables, unsigned int generation);
 
+  /// The distances of vtkTFCBrickActivity for the input; before the first frame.
+  void SetBricks(std::vector<unsigned char> distances, const std::array<int, 3>& dimensions);
+
   /// World distance between samples and over which the model's opacities hold.
   void SetDistances(double sampleDistance, double unitDistance);
 
@@ -91,6 +95,10 @@ private:
   unsigned int TablesGeneration = 0;
   unsigned int Features = 0; // of all tables so far
   std::unique_ptr<vtkTFCTableTexture> Texture;
+  std::vector<unsigned char> BrickDistances = { 0 };
+  std::array<int, 3> BrickDimensions = { 1, 1, 1 };
+  unsigned int BrickGeneration = 1;
+  std::unique_ptr<vtkTFCBrickTexture> BrickTexture;
   Visibility Visible;
   double UnitDistance = 1;
 };

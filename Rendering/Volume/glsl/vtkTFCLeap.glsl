@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Leaps of a ray over bricks in which the transfer function shows nothing.
+//
+// A leap goes to a later piece of the ray and moves none, so the picture is the same with leaps and
+// without. vtkTFCBrickActivity finds the bricks and their distances.
+
+uniform sampler3D in_tfcBricks; // chessboard distance to the nearest active brick, of 255
+
+vec3 g_tfcBrickOrigin; // u = 0 in bricks
+vec3 g_tfcBrickStep;   // bricks per sample distance
+
+// Called once per ray, after tfcBeginRay().
+void tfcBeginLeaps()
+{
+  vec3 bricks = vec3(textureSize(in_volume[0], 0)) / float(TFC_BRICK_SIZE);
+  g_tfcBrickOrigin = g_tfcOrigin * bricks - 0.5 / float(TFC_BRICK_SIZE);
+  g_tfcBrickStep = g_dirStep * bricks;
+}
+
+// Move to the middle of the next piece that may be visible, this one or a later one.
+void tfcBeginSample()
+{
+  vec3 forward = step(0.0, g_tfcBrickStep);
+  vec3 inverseStep = 1.0 / mix(min(g_tfcBrickStep, -1e-20), max(g_tfcBrickStep, 1e-20), forward);
+  ivec3 lastBrick = textureSize(in_tfcBricks, 0) - 1;
+  bool leaping;
+  do
+  {
+    tfcPlaceSample();
+    vec3 place = g_tfcBrickOrigin + g_tfcMiddle * g_tfcBrickStep;
+    ivec3 brick = clamp(ivec3(floor(place)), ivec3(0), lastBrick);
+    float distance = floor(255.0 * texelFetch(in_tfcBricks, brick, 0).x + 0.5);
+    // The bricks that are nearer than `distance` are empty; u where the ray leaves them.
+    vec3 wall = vec3(brick) + mix(vec3(1.0 - distance), vec3(distance), forward);
+    vec3 reach = (wall - place) * inverseStep;
+    float leave = g_tfcMiddle + min(reach.x, min(reach.y, reach.z));
+    // The first piece whose middle is not before that, a little less against rounding.
+    int next = int(ceil(leave * (1.0 - 1e-6) - 1e-3 + g_tfcPhase - 0.5));
+    leaping = distance > 0.0 && g_tfcWeight > 0.0;
+    g_tfcInterval = leaping ? max(g_tfcInterval + 1, next) : g_tfcInterval;
+  } while (leaping);
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Smallest and largest value of every channel in every brick of a packed image.
+ *
+ * Brick (i, j, k) holds the texels that a linearly interpolated sample between the centres of
+ * texels Size i and Size (i + 1) can touch: Size + 1 along each axis, the last ones shared with the
+ * next brick. NaN does not count; a channel without any other value in a brick has Minimum >
+ * Maximum there. Bricks at the far end may be smaller.
+ *
+ * Threaded; one pass over the values. Memory: 32 bytes a brick, 0.07 bytes a voxel.
+ */
+
+#ifndef vtkTFCBrickRanges_h
+#define vtkTFCBrickRanges_h
+
+#include "vtkTFCVolumeModule.h" // For export macro
+
+#include <array>  // For sizes
+#include <vector> // For the bricks
+
+class VTKTFCVOLUME_EXPORT vtkTFCBrickRanges
+{
+public:
+  static constexpr int Size = 8;
+  static constexpr int MaximumNumberOfChannels = 4;
+
+  struct Range
+  {
+    std::array<float, MaximumNumberOfChannels> Minimum;
+    std::array<float, MaximumNumberOfChannels> Maximum;
+  };
+
+  /// Of `channels` (at most MaximumNumberOfChannels) interleaved values per texel.
+  void Compute(const float* values, const std::array<int, 3>& texels, int channels);
+
+  /// Number of bricks along each axis.
+  const std::array<int, 3>& GetDimensions() const { return this->Dimensions; }
+  /// x fastest.
+  const std::vector<Range>& GetRanges() const { return this->Ranges; }
+
+private:
+  std::array<int, 3> Dimensions = { 0, 0, 0 };
+  std::vector<Range> Ranges;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkTFCBrickRanges.h
