@@ -10,7 +10,7 @@
 #include "vtkTFCGradient_glsl.h"
 #include "vtkTFCLeap_glsl.h"
 #include "vtkTFCRay_glsl.h"
-#include "vtkTFCShade_glsl.h"
+#include "vtkTFCSample_glsl.h"
 #include "vtkTFCShapes_glsl.h"
 #include "vtkTFCTables_glsl.h"
 #include "vtkTFCTertiary_glsl.h"
@@ -79,9 +79,8 @@ void InstallReplacements(vtkShaderProperty* shader, const std::string& definitio
     std::string(vtkTFCRay_glsl) + vtkTFCLeap_glsl + vtkTFCTables_glsl + vtkTFCShapes_glsl +
       vtkTFCTertiary_glsl + vtkTFCClassify_glsl);
   replace("//VTK::ComputeGradient::Dec", vtkTFCGradient_glsl);
-  replace("//VTK::ComputeColor::Dec", vtkTFCShade_glsl);
-  replace("//VTK::Shading::Impl",
-    "if (!g_skip)\n    {\n      tfcComposite(texture(in_volume[0], g_dataPos));\n    }");
+  replace("//VTK::ComputeColor::Dec", vtkTFCSample_glsl);
+  replace("//VTK::Shading::Impl", "if (!g_skip)\n    {\n      tfcComposite();\n    }");
   replace("//VTK::Clipping::Impl", "g_tfcSegmentStart = g_dataPos;\n//VTK::Clipping::Impl");
   // Depth peeling would move the start to a sample, and drop segments shorter than a step.
   replace("//VTK::DepthPeeling::Ray::PathCheck", "");
@@ -114,8 +113,6 @@ void vtkTFCRayCastMapper::SetTables(const vtkTFCShaderTables& tables, unsigned i
   if (generation != this->TablesGeneration)
   {
     this->Tables = tables;
-    // Never dropped again: an edit back and forth builds no shader.
-    this->Features |= tables.FeaturesUsed;
     this->TablesGeneration = generation;
   }
 }
@@ -205,7 +202,7 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
   }
   this->Texture->Activate();
   this->BrickTexture->Activate();
-  InstallReplacements(vol->GetShaderProperty(), MakeDefinitions(this->Features));
+  InstallReplacements(vol->GetShaderProperty(), MakeDefinitions(this->Tables.FeaturesUsed));
   this->SetUniforms(vol);
   this->Superclass::GPURender(ren, vol);
   this->BrickTexture->Deactivate();

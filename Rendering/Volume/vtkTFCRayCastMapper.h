@@ -93,7 +93,6 @@ private:
 
   vtkTFCShaderTables Tables;
   unsigned int TablesGeneration = 0;
-  unsigned int Features = 0; // of all tables so far
   std::unique_ptr<vtkTFCTableTexture> Texture;
   std::vector<unsigned char> BrickDistances = { 0 };
   std::array<int, 3> BrickDimensions = { 1, 1, 1 };

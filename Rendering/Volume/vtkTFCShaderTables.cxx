@@ -124,61 +124,64 @@ std::vector<int> FindSets(const vtkTFCCompiledModel& model, int size, RegionSets
 }
 
 //------------------------------------------------------------------------------
-// The linear pieces of an opacity function in stored units, and the buckets that point into them.
-void WriteFunction(const std::vector<std::array<double, 2>>& nodes,
-  const vtkTFCStoredAttribute& stored, std::vector<Texel>& texels, Texel& function)
+// The linear pieces of opacity times tertiary function in stored units, and the buckets that point
+// into them. Returns the first bucket.
+int WriteFunction(const vtkTFCCompiledRegion& region, const vtkTFCStoredAttribute& stored,
+  std::vector<Texel>& texels)
 {
   constexpr int buckets = vtkTFCShaderTables::Buckets;
   constexpr float infinity = std::numeric_limits<float>::infinity();
-  std::vector<float> values; // as the shader compares them
-  for (const auto& node : nodes)
-  {
-    values.push_back(static_cast<float>((node[0] - stored.Offset) / stored.Scale));
-  }
   const auto first = static_cast<int>(texels.size());
   const int firstPiece = first + buckets;
-
   std::vector<Texel> pieces;
   const auto add = [&](double a, double b, float end)
-  { pieces.push_back(MakeTexel(a, b, end, firstPiece + static_cast<double>(pieces.size()) + 1)); };
-  add(nodes.front()[1], 0.0, values.front());
-  for (size_t i = 0; i + 1 < nodes.size(); ++i)
   {
-    const double span = static_cast<double>(values[i + 1]) - values[i];
-    if (span > 0.0)
-    {
-      const double slope = (nodes[i + 1][1] - nodes[i][1]) / span;
-      add(nodes[i][1] - slope * values[i], slope, values[i + 1]);
-    }
+    pieces.push_back(MakeTexel(region.Opacity * a, region.Opacity * b, end,
+      firstPiece + static_cast<double>(pieces.size()) + 1));
+  };
+  if (region.Tertiary < 0)
+  {
+    add(1.0, 0.0, infinity);
   }
-  add(nodes.back()[1], 0.0, infinity);
+  else
+  {
+    const auto& nodes = region.TertiaryOpacity;
+    std::vector<float> values; // as the shader compares them
+    for (const auto& node : nodes)
+    {
+      values.push_back(static_cast<float>((node[0] - stored.Offset) / stored.Scale));
+    }
+    add(nodes.front()[1], 0.0, values.front());
+    for (size_t i = 0; i + 1 < nodes.size(); ++i)
+    {
+      const double span = static_cast<double>(values[i + 1]) - values[i];
+      if (span > 0.0)
+      {
+        const double slope = (nodes[i + 1][1] - nodes[i][1]) / span;
+        add(nodes[i][1] - slope * values[i], slope, values[i + 1]);
+      }
+    }
+    add(nodes.back()[1], 0.0, infinity);
+  }
 
-  // Reaches beyond both end nodes, where the function is constant.
-  const double span = std::max(static_cast<double>(values.back()) - values.front(),
-    1e-6 * std::max(1.0, std::abs(static_cast<double>(values.front()))));
-  const double low = values.front() - 0.02 * span;
-  const double width = 1.04 * span / buckets;
-  function[1] = static_cast<float>(first);
-  function[2] = static_cast<float>(low);
-  function[3] = static_cast<float>(1.0 / width);
   size_t piece = 0;
   for (int i = 0; i < buckets; ++i)
   {
-    // Rounding in the shader may choose the next bucket too early.
-    const double begin = low + (i - 0.01) * width;
-    while (i > 0 && pieces[piece][2] <= begin)
+    // The first bucket is also for what is below; rounding may choose the next one too early.
+    while (i > 0 && pieces[piece][2] <= (i - 0.01) / buckets)
     {
       ++piece;
     }
     texels.push_back(pieces[piece]);
   }
   texels.insert(texels.end(), pieces.begin(), pieces.end());
+  return first;
 }
 
 //------------------------------------------------------------------------------
 // A region's record; its edges and functions are appended to the list.
 std::array<Texel, vtkTFCShaderTables::RecordTexels> MakeRecord(const vtkTFCCompiledRegion& region,
-  const std::vector<vtkTFCStoredAttribute>& stored, size_t constantOne, std::vector<Texel>& texels)
+  const std::vector<vtkTFCStoredAttribute>& stored, bool tertiaries, std::vector<Texel>& texels)
 {
   std::array<Texel, vtkTFCShaderTables::RecordTexels> record;
   const double type = static_cast<int>(region.Shape) + 4 * static_cast<int>(region.Falloff);
@@ -203,12 +206,12 @@ std::array<Texel, vtkTFCShaderTables::RecordTexels> MakeRecord(const vtkTFCCompi
       texels.push_back(MakeTexel(a[0], a[1], b[0], b[1]));
     }
   }
-  record[2] = MakeTexel(region.Opacity, region.Color[0], region.Color[1], region.Color[2]);
-  record[3] = MakeTexel(0, static_cast<double>(constantOne), 0, 1);
-  if (region.Tertiary >= 0)
+  const auto& color = region.Color;
+  record[2] = MakeTexel(region.Opacity, color[0], color[1], color[2]);
+  if (tertiaries)
   {
-    const vtkTFCStoredAttribute& attribute = stored[region.Tertiary];
-    record[3][0] = static_cast<float>(attribute.Channel);
+    static const vtkTFCStoredAttribute none;
+    const auto& attribute = region.Tertiary >= 0 ? stored[region.Tertiary] : none;
     const auto first = static_cast<double>(texels.size());
     for (const auto& node : region.TertiaryColor)
     {
@@ -216,7 +219,8 @@ std::array<Texel, vtkTFCShaderTables::RecordTexels> MakeRecord(const vtkTFCCompi
         MakeTexel((node[0] - attribute.Offset) / attribute.Scale, node[1], node[2], node[3]));
     }
     texels.push_back(MakeTexel(first, static_cast<double>(region.TertiaryColor.size())));
-    WriteFunction(region.TertiaryOpacity, attribute, texels, record[3]);
+    record[2][0] = static_cast<float>(WriteFunction(region, attribute, texels));
+    record[1][3] += static_cast<float>(16 * attribute.Channel);
   }
   return record;
 }
@@ -244,7 +248,7 @@ unsigned int FindFeatures(const vtkTFCCompiledModel& model)
 
 //------------------------------------------------------------------------------
 vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
-  const std::vector<vtkTFCStoredAttribute>& stored)
+  const std::vector<vtkTFCStoredAttribute>& stored, unsigned int features)
 {
   vtkTFCShaderTables tables;
   tables.BlendOver = model.Blend == vtkTFCBlendType::Over;
@@ -257,7 +261,8 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
     tables.AxisBias[axis] = static_cast<float>((stored[axis].Offset - range[0]) / extent);
   }
 
-  tables.FeaturesUsed = FindFeatures(model);
+  tables.FeaturesUsed = features | FindFeatures(model);
+  const bool hasTertiaries = tables.FeaturesUsed & Tertiaries;
 
   // Where very many regions overlap in very many ways, a coarser grid keeps the list short.
   RegionSets sets;
@@ -282,14 +287,10 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
 
   auto& texels = tables.Texels;
   texels.resize(cells.size(), MakeTexel(0));
-  // The function of regions without one: they need no case of their own in the shader.
-  texels.push_back(MakeTexel(0));
-  const size_t constantOne = texels.size();
-  texels.resize(constantOne + Buckets, MakeTexel(1, 0, std::numeric_limits<float>::infinity()));
   std::vector<std::array<Texel, RecordTexels>> regions;
   for (const auto& region : model.Regions)
   {
-    regions.push_back(MakeRecord(region, stored, constantOne, texels));
+    regions.push_back(MakeRecord(region, stored, hasTertiaries, texels));
   }
   texels.reserve(texels.size() + RecordTexels * records + RowLength);
   std::vector<int> places(sets.GetNumberOfSets(), -1);

@@ -14,15 +14,15 @@
  * texels with the records of all regions that may be non-zero in the cell, so cost per sample
  * follows the number of regions that overlap there, not their total number
  * - edges (x0, y0, x1, y1) of polygons; tertiary functions: colour nodes (value, r, g, b), then
- *   (first colour node, number of them), then Buckets pieces and all pieces of the opacity
- *   (a, b, end, next piece): a + b v for v < end
+ *   (first colour node, number of them), then Buckets pieces and all pieces of opacity times
+ *   tertiary function (a, b, end, next piece): a + b v for v < end
  * - records of regions, RecordTexels each, for every different set of regions, in list order:
  *   [0] ellipse, rectangle: centre x, y, and [1] (c, d, 1/width of the fall-off, shape + 4 *
  *       fall-off), where (a, b; c, d) with a, b in [0] turns and scales the shape to the unit one;
  *       triangle, polygon: first edge, number of edges, 1/E
- *   [2] opacity, colour
- *   [3] channel of the tertiary attribute, first bucket, value where that begins, buckets per unit
- * of the value; without a tertiary function that of a function which is 1 everywhere
+ *   [1] also has 16 * channel of the tertiary attribute in its last number
+ *   [2] opacity, colour; with the feature Tertiaries the first bucket in place of the opacity, for
+ *       every region: without a tertiary function its one piece is the opacity
  *
  * Axis positions are in axis units, tertiary values in stored units (see vtkTFCAttributePacker).
  * Size: 16 bytes a texel; GridSize^2 + RecordTexels for each region of each different set + edges +
@@ -52,8 +52,8 @@ struct VTKTFCVOLUME_EXPORT vtkTFCShaderTables
 {
   static constexpr int LargestGridSize = 128;
   static constexpr size_t LargestNumberOfRecords = 1 << 18;
-  static constexpr int RecordTexels = 4;
-  static constexpr int Buckets = 32;
+  static constexpr int RecordTexels = 3;
+  static constexpr int Buckets = 64;
   static constexpr int RowLength = 1024;
 
   /// Padded to whole rows of RowLength texels.
@@ -69,7 +69,7 @@ struct VTKTFCVOLUME_EXPORT vtkTFCShaderTables
     Tertiaries = 4,
     TertiaryColors = 8
   };
-  unsigned int FeaturesUsed = 0;
+  unsigned int FeaturesUsed = 0; ///< by the model, and those asked for
 
   /// stored -> axis units of the primary and secondary attribute, which are in channels 0 and 1:
   /// axis = stored * Scale + Bias.
@@ -78,11 +78,12 @@ struct VTKTFCVOLUME_EXPORT vtkTFCShaderTables
   bool BlendOver = false;
 
   /**
-   * Write the tables of `model`, whose attribute i is stored as stored[i].
+   * Write the tables of `model`, whose attribute i is stored as stored[i], for a shader that has
+   * `features` besides those that the model uses.
    * O(GridSize^2 + sum over regions of the cells that the bounding box touches + records).
    */
   static vtkTFCShaderTables Build(const vtkTFCCompiledModel& model,
-    const std::vector<vtkTFCStoredAttribute>& stored);
+    const std::vector<vtkTFCStoredAttribute>& stored, unsigned int features = 0);
 };
 
 #endif

@@ -107,6 +107,7 @@ public:
   unsigned int TablesPackGeneration = 0;
   unsigned int TablesGeneration = 0;
   bool TablesOutdated = true;
+  unsigned int Features = 0; // of all tables so far
 
   vtkTFCBrickRanges Ranges;
   unsigned int RangesPackGeneration = 0;
@@ -165,8 +166,11 @@ bool vtkTFCVolumeMapper::Internals::PackAndCompile(vtkTFCVolumeMapper* mapper, v
   {
     this->Model = model->Compile(used.data());
     ++this->TablesGeneration;
-    this->Caster->SetTables(vtkTFCShaderTables::Build(this->Model, this->Packer.GetStored()),
-      this->TablesGeneration);
+    // What was compiled once stays, so that an edit back and forth builds no shader.
+    const auto tables =
+      vtkTFCShaderTables::Build(this->Model, this->Packer.GetStored(), this->Features);
+    this->Features = tables.FeaturesUsed;
+    this->Caster->SetTables(tables, this->TablesGeneration);
     this->TablesPackGeneration = this->Packer.GetGeneration();
     this->TablesOutdated = false;
     this->UpdateBricks(mapper->EmptySpaceSkipping, true);

@@ -12,43 +12,42 @@ uniform vec2 in_tfcAxisBias;
 uniform int in_tfcBlendOver;
 uniform float in_tfcInverseUnitDistance;
 
-vec3 g_tfcColor; // of the last classified sample
-
-// Colour in rgb and the opacity per unit distance in a. The axes are in the first two channels.
-vec4 tfcClassify(vec4 attributes)
+// Records of the regions that a sample may be in, as tfcRecords() has them. The axes are in the
+// first two channels.
+ivec2 tfcFindRecords(vec4 attributes)
 {
   vec2 p = attributes.xy * in_tfcAxisScale + in_tfcAxisBias;
   // Written so that NaN fails: no region outside the axes, nor where there is no data.
-  if (!(p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0))
-  {
-    return vec4(0.0);
-  }
+  bool inside = p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0;
   ivec2 records = tfcRecords(p);
-  if (records.x >= records.y)
-  {
-    return vec4(0.0);
-  }
+  return inside ? records : ivec2(0);
+}
 
+// Colour in rgb and the opacity per unit distance in a; there is at least one record.
+vec4 tfcClassify(vec4 attributes, ivec2 records)
+{
+  vec2 p = attributes.xy * in_tfcAxisScale + in_tfcAxisBias;
   vec3 colorSum = vec3(0.0);
   float alphaSum = 0.0;
   float transparency = 1.0;
   do
   {
-    vec4 paint = tfcFetch(records.x + 2); // opacity and colour
-    float alpha = paint.x *
-      tfcRegionWeight(tfcFetch(records.x), tfcFetch(records.x + 1), p);
+    vec4 turn = tfcFetch(records.x + 1);
+    vec4 paint = tfcFetch(records.x + 2);
+    float alpha = tfcRegionWeight(tfcFetch(records.x), turn, p);
     vec3 color = paint.yzw;
 #ifdef TFC_TERTIARIES
-    vec4 function = tfcFetch(records.x + 3);
-    float v = tfcChannel(attributes, function.x);
-    alpha *= tfcTertiaryOpacity(function, v);
+    float v = tfcChannel(attributes, int(turn.w) >> 4);
+    alpha *= tfcTertiaryOpacity(int(paint.x), v);
 #ifdef TFC_TERTIARY_COLORS
-    vec4 nodes = tfcFetch(int(function.y) - 1); // first, count
+    vec4 nodes = tfcFetch(int(paint.x) - 1); // first, count
     if (nodes.y > 0.0 && alpha > 0.0)
     {
       color = tfcTertiaryColor(int(nodes.x), int(nodes.y), v);
     }
 #endif
+#else
+    alpha *= paint.x;
 #endif
     float contribution = in_tfcBlendOver != 0 ? transparency * alpha : alpha;
     colorSum += contribution * color;
@@ -68,12 +67,4 @@ float tfcPieceOpacity(float opacity)
     return 0.0;
   }
   return opacity < 1.0 ? 1.0 - pow(1.0 - opacity, units) : 1.0;
-}
-
-// VTK's name for the same.
-float computeOpacity(vec4 attributes)
-{
-  vec4 classified = tfcClassify(attributes);
-  g_tfcColor = classified.rgb;
-  return tfcPieceOpacity(classified.a);
 }

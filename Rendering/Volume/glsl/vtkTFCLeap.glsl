@@ -18,8 +18,8 @@ void tfcBeginLeaps()
   g_tfcBrickStep = g_dirStep * bricks;
 }
 
-// Move to the middle of the next piece that may be visible, this one or a later one.
-void tfcBeginSample()
+// Move to the middle of the next piece in an active brick, this one or a later one.
+void tfcLeap()
 {
   vec3 forward = step(0.0, g_tfcBrickStep);
   vec3 inverseStep = 1.0 / mix(min(g_tfcBrickStep, -1e-20), max(g_tfcBrickStep, 1e-20), forward);

@@ -60,6 +60,7 @@ float tfcRegionWeight(vec4 place, vec4 turn, vec2 p)
 {
   int type = int(turn.w);
   int shape = type & 3;
+  int falloff = (type >> 2) & 3;
   vec2 offset = p - place.xy;
   vec2 q = vec2(dot(place.zw, offset), dot(turn.xy, offset));
   float d = shape == TFC_RECTANGLE ? max(abs(q.x), abs(q.y)) : length(q);
@@ -68,5 +69,5 @@ float tfcRegionWeight(vec4 place, vec4 turn, vec2 p)
   float polygon = tfcPolygonDistance(p, int(place.x), edges, place.z);
   d = shape > TFC_RECTANGLE ? polygon : d;
 #endif
-  return d <= 1.0 ? tfcFalloff(type >> 2, turn.z, d) : 0.0;
+  return d <= 1.0 ? tfcFalloff(falloff, turn.z, d) : 0.0;
 }

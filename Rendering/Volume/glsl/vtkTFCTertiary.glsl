@@ -5,21 +5,19 @@
 
 #ifdef TFC_TERTIARIES
 
-float tfcChannel(vec4 attributes, float channel)
+float tfcChannel(vec4 attributes, int channel)
 {
-  vec2 pair = channel < 1.5 ? attributes.xy : attributes.zw;
-  return channel == 0.0 || channel == 2.0 ? pair.x : pair.y;
+  vec2 pair = channel < 2 ? attributes.xy : attributes.zw;
+  return (channel & 1) == 0 ? pair.x : pair.y;
 }
 
-// Opacity factor t of a region; 0 where the tertiary value is NaN. The pieces are chained in
-// increasing order, (a, b, end, next): t = a + b v for v < end. A table of as many buckets as
-// TFC_BUCKETS starts each search near its end. function: (channel, first bucket, low, scale).
-float tfcTertiaryOpacity(vec4 function, float v)
+// Opacity of a region times its tertiary function; 0 where the tertiary value is NaN. The pieces
+// are chained in increasing order, (a, b, end, next): a + b v for v < end. A search starts at one
+// of TFC_BUCKETS copies of pieces, which divide the stored values, 0 to 1, evenly.
+float tfcTertiaryOpacity(int firstBucket, float v)
 {
-  float buckets = float(TFC_BUCKETS);
-  float position = clamp((v - function.z) * function.w, 0.0, buckets);
-  int texel = int(function.y) + min(int(position), TFC_BUCKETS - 1);
-  float inside = clamp(v, function.z, function.z + buckets / function.w); // may be infinite
+  float inside = clamp(v, -1.0, 2.0); // may be infinite
+  int texel = firstBucket + clamp(int(inside * float(TFC_BUCKETS)), 0, TFC_BUCKETS - 1);
   vec4 piece;
   bool beyond;
   do
