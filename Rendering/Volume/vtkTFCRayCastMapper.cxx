@@ -4,23 +4,29 @@
 
 #include "vtkTFCBrickRanges.h"
 #include "vtkTFCBrickTexture.h"
+#include "vtkTFCPatch.h"
+#include "vtkTFCPrimaryTexture.h"
 #include "vtkTFCTableTexture.h"
 
 #include "vtkTFCClassify_glsl.h"
 #include "vtkTFCGradient_glsl.h"
 #include "vtkTFCLeap_glsl.h"
+#include "vtkTFCPatch_glsl.h"
 #include "vtkTFCRay_glsl.h"
 #include "vtkTFCSample_glsl.h"
 #include "vtkTFCShapes_glsl.h"
 #include "vtkTFCTables_glsl.h"
 #include "vtkTFCTertiary_glsl.h"
 
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkUniforms.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <string>
@@ -36,12 +42,14 @@ std::string MakeDefinitions(unsigned int features)
   { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
   std::string text = define("TFC_RECORD_TEXELS", vtkTFCShaderTables::RecordTexels) +
     define("TFC_BUCKETS", vtkTFCShaderTables::Buckets) +
-    define("TFC_BRICK_SIZE", vtkTFCBrickRanges::Size);
+    define("TFC_BRICK_SIZE", vtkTFCBrickRanges::Size) +
+    define("TFC_PATCH_NODES", vtkTFCPatch::Nodes);
   const std::pair<unsigned int, const char*> names[] = {
     { vtkTFCShaderTables::Polygons, "TFC_POLYGONS" },
     { vtkTFCShaderTables::Gaussians, "TFC_GAUSSIANS" },
     { vtkTFCShaderTables::Tertiaries, "TFC_TERTIARIES" },
     { vtkTFCShaderTables::TertiaryColors, "TFC_TERTIARY_COLORS" },
+    { vtkTFCShaderTables::Patches, "TFC_PATCHES" },
   };
   for (const auto& [feature, name] : names)
   {
@@ -77,7 +85,7 @@ void InstallReplacements(vtkShaderProperty* shader, const std::string& definitio
   replace(ownTag, definitions);
   replace("//VTK::ComputeOpacity::Dec",
     std::string(vtkTFCRay_glsl) + vtkTFCLeap_glsl + vtkTFCTables_glsl + vtkTFCShapes_glsl +
-      vtkTFCTertiary_glsl + vtkTFCClassify_glsl);
+      vtkTFCTertiary_glsl + vtkTFCPatch_glsl + vtkTFCClassify_glsl);
   replace("//VTK::ComputeGradient::Dec", vtkTFCGradient_glsl);
   replace("//VTK::ComputeColor::Dec", vtkTFCSample_glsl);
   replace("//VTK::Shading::Impl", "if (!g_skip)\n    {\n      tfcComposite();\n    }");
@@ -99,6 +107,7 @@ vtkStandardNewMacro(vtkTFCRayCastMapper);
 vtkTFCRayCastMapper::vtkTFCRayCastMapper()
   : Texture(new vtkTFCTableTexture)
   , BrickTexture(new vtkTFCBrickTexture)
+  , PrimaryTexture(new vtkTFCPrimaryTexture)
 {
   this->AutoAdjustSampleDistances = 0;
   this->UseJittering = 0;
@@ -145,6 +154,7 @@ void vtkTFCRayCastMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
   this->BrickTexture->ReleaseGraphicsResources(window);
+  this->PrimaryTexture->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -180,17 +190,15 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
 }
 
 //------------------------------------------------------------------------------
-void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
+bool vtkTFCRayCastMapper::UploadTextures(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  window->MakeCurrent();
   if (!this->Texture->Upload(window, this->Tables, this->TablesGeneration))
   {
     vtkErrorMacro("The transfer function needs a table of "
       << this->Tables.Texels.size() * sizeof(this->Tables.Texels.front())
       << " bytes, more than this graphics driver allows. Use fewer regions, or polygons with fewer "
          "points.");
-    return;
+    return false;
   }
   if (!this->BrickTexture->Upload(window, this->BrickDistances, this->BrickDimensions,
         this->BrickGeneration))
@@ -198,13 +206,58 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
     vtkErrorMacro("The graphics driver refuses a texture of "
       << this->BrickDimensions[0] << " x " << this->BrickDimensions[1] << " x "
       << this->BrickDimensions[2] << " bytes for skipping empty space.");
+    return false;
+  }
+  if (!property->GetShade())
+  {
+    this->PrimaryTexture->ReleaseGraphicsResources(window);
+    return true;
+  }
+  int cellFlag = 0;
+  auto* image = vtkImageData::SafeDownCast(this->GetInput());
+  auto* packed = vtkFloatArray::SafeDownCast(vtkAbstractMapper::GetScalars(image, this->ScalarMode,
+    this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
+  std::array<int, 3> texels;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    texels[axis] = std::max(1, image->GetDimensions()[axis] - (cellFlag == 1 ? 1 : 0));
+  }
+  if (!this->PrimaryTexture->Upload(window, packed, texels,
+        property->GetInterpolationType() == VTK_LINEAR_INTERPOLATION))
+  {
+    vtkErrorMacro("The graphics driver refuses a texture of "
+      << texels[0] << " x " << texels[1] << " x " << texels[2]
+      << " floats for the gradients of shading. Switch shading off, or use fewer voxels.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  window->MakeCurrent();
+  if (!this->UploadTextures(window, vol->GetProperty()))
+  {
     return;
   }
+  const bool shaded = vol->GetProperty()->GetShade() != 0;
   this->Texture->Activate();
   this->BrickTexture->Activate();
+  if (shaded)
+  {
+    this->PrimaryTexture->Activate();
+    vol->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("in_tfcPrimary",
+      this->PrimaryTexture->GetTextureUnit());
+  }
   InstallReplacements(vol->GetShaderProperty(), MakeDefinitions(this->Tables.FeaturesUsed));
   this->SetUniforms(vol);
   this->Superclass::GPURender(ren, vol);
+  if (shaded)
+  {
+    this->PrimaryTexture->Deactivate();
+  }
   this->BrickTexture->Deactivate();
   this->Texture->Deactivate();
 }

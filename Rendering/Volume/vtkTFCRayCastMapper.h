@@ -36,7 +36,10 @@
 #include <vector> // For planes
 
 class vtkTFCBrickTexture;
+class vtkTFCPrimaryTexture;
 class vtkTFCTableTexture;
+class vtkOpenGLRenderWindow;
+class vtkVolumeProperty;
 
 class VTKTFCVOLUME_EXPORT vtkTFCRayCastMapper : public vtkOpenGLGPUVolumeRayCastMapper
 {
@@ -89,6 +92,7 @@ private:
   vtkTFCRayCastMapper(const vtkTFCRayCastMapper&) = delete;
   void operator=(const vtkTFCRayCastMapper&) = delete;
 
+  bool UploadTextures(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
   void SetUniforms(vtkVolume* vol);
 
   vtkTFCShaderTables Tables;
@@ -98,6 +102,7 @@ private:
   std::array<int, 3> BrickDimensions = { 1, 1, 1 };
   unsigned int BrickGeneration = 1;
   std::unique_ptr<vtkTFCBrickTexture> BrickTexture;
+  std::unique_ptr<vtkTFCPrimaryTexture> PrimaryTexture;
   Visibility Visible;
   double UnitDistance = 1;
 };

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCShaderTables.h"
 
+#include "vtkTFCPatch.h"
 #include "vtkTFCRegionExtent.h"
+#include "vtkTFCThreads.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <unordered_map>
 
 namespace
@@ -226,6 +229,31 @@ std::array<Texel, vtkTFCShaderTables::RecordTexels> MakeRecord(const vtkTFCCompi
 }
 
 //------------------------------------------------------------------------------
+// The patches of the cells that can have one; null for the others.
+std::vector<std::unique_ptr<vtkTFCPatch>> FitPatches(const vtkTFCCompiledModel& model, int size,
+  const std::vector<int>& cells, const std::vector<std::vector<int>>& members)
+{
+  std::vector<std::unique_ptr<vtkTFCPatch>> patches(cells.size());
+  vtkTFCThreads::For(0, static_cast<vtkIdType>(cells.size()), 256,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const auto& regions = members[cells[cell]];
+        const double x = static_cast<double>(cell % size);
+        const double y = static_cast<double>(cell / size);
+        vtkTFCPatch patch;
+        if (!regions.empty() &&
+          patch.Fit(model, regions, { x / size, (x + 1) / size, y / size, (y + 1) / size }))
+        {
+          patches[cell] = std::make_unique<vtkTFCPatch>(patch);
+        }
+      }
+    });
+  return patches;
+}
+
+//------------------------------------------------------------------------------
 unsigned int FindFeatures(const vtkTFCCompiledModel& model)
 {
   unsigned int features = 0;
@@ -293,10 +321,28 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
     regions.push_back(MakeRecord(region, stored, hasTertiaries, texels));
   }
   texels.reserve(texels.size() + RecordTexels * records + RowLength);
+  std::vector<std::vector<int>> members;
+  for (int set = 0; set < sets.GetNumberOfSets(); ++set)
+  {
+    members.push_back(
+      sets.GetSize(set) < vtkTFCPatch::FewestRegions ? std::vector<int>() : sets.GetRegions(set));
+  }
+  const auto patches = FitPatches(model, tables.GridSize, cells, members);
   std::vector<int> places(sets.GetNumberOfSets(), -1);
   for (size_t cell = 0; cell < cells.size(); ++cell)
   {
     const int set = cells[cell];
+    if (patches[cell])
+    {
+      tables.FeaturesUsed |= Patches;
+      texels[cell] = MakeTexel(0, 0, static_cast<double>(texels.size()));
+      texels.insert(texels.end(), patches[cell]->Values.begin(), patches[cell]->Values.end());
+      continue;
+    }
+    if (sets.GetSize(set) == 0)
+    {
+      continue;
+    }
     if (places[set] < 0)
     {
       places[set] = static_cast<int>(texels.size());
@@ -305,8 +351,7 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
         texels.insert(texels.end(), regions[region].begin(), regions[region].end());
       }
     }
-    const int end = places[set] + RecordTexels * sets.GetSize(set);
-    texels[cell] = MakeTexel(places[set], end);
+    texels[cell] = MakeTexel(places[set], places[set] + RecordTexels * sets.GetSize(set));
   }
 
   const size_t rows = (tables.Texels.size() + RowLength - 1) / RowLength;

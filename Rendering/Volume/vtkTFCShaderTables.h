@@ -23,6 +23,7 @@
  *   [1] also has 16 * channel of the tertiary attribute in its last number
  *   [2] opacity, colour; with the feature Tertiaries the first bucket in place of the opacity, for
  *       every region: without a tertiary function its one piece is the opacity
+ * - patches, vtkTFCPatch::Nodes^2 texels each
  *
  * Axis positions are in axis units, tertiary values in stored units (see vtkTFCAttributePacker).
  * Size: 16 bytes a texel; GridSize^2 + RecordTexels for each region of each different set + edges +
@@ -67,7 +68,8 @@ struct VTKTFCVOLUME_EXPORT vtkTFCShaderTables
     Polygons = 1, ///< also triangles
     Gaussians = 2,
     Tertiaries = 4,
-    TertiaryColors = 8
+    TertiaryColors = 8,
+    Patches = 16 ///< cells where many regions overlap
   };
   unsigned int FeaturesUsed = 0; ///< by the model, and those asked for
 

@@ -213,6 +213,27 @@ TEST(Slab, ManyOverlappingRegionsMatchTheReference)
   }
 }
 
+TEST(Slab, ManyRegionsWithoutTertiariesMatchTheReference)
+{
+  // Enough of them to be drawn by patches where they are smooth, and one that is not.
+  for (const char* blend : { "mix", "over" })
+  {
+    std::string regions =
+      MakeRegion(50, Shapes[1], R"({"type": "constant"})", "[0.1, 0.3, 1]", 0.3);
+    for (int i = 0; i < 12; ++i)
+    {
+      const std::string x = std::to_string(0.4 + 0.02 * i);
+      const std::string y = std::to_string(0.5 + 0.02 * (i % 5));
+      regions += "," +
+        MakeRegion(i + 1,
+          R"({"type": "ellipse", "center": [)" + x + ", " + y + R"(], "radii": [0.3, 0.35]})",
+          R"({"type": "smooth", "width": 0.5})", i % 3 ? "[0.2, 0.9, 0.4]" : "[1, 0.1, 0.6]",
+          0.05 + 0.02 * i);
+    }
+    ExpectSlabMatches(MakeState(regions, "[0, 1]", "[0, 1]", blend));
+  }
+}
+
 TEST(Slab, DifferentAxisRangesMatchTheReference)
 {
   // Rotation is in axis units, so unequal ranges shear it in data units.

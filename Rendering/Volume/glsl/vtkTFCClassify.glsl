@@ -12,21 +12,19 @@ uniform vec2 in_tfcAxisBias;
 uniform int in_tfcBlendOver;
 uniform float in_tfcInverseUnitDistance;
 
-// Records of the regions that a sample may be in, as tfcRecords() has them. The axes are in the
-// first two channels.
-ivec2 tfcFindRecords(vec4 attributes)
+// What tfcCell() has for a sample. The axes are in the first two channels.
+ivec3 tfcFindCell(vec4 attributes)
 {
   vec2 p = attributes.xy * in_tfcAxisScale + in_tfcAxisBias;
   // Written so that NaN fails: no region outside the axes, nor where there is no data.
   bool inside = p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0;
-  ivec2 records = tfcRecords(p);
-  return inside ? records : ivec2(0);
+  ivec3 cell = tfcCell(p);
+  return inside ? cell : ivec3(0);
 }
 
-// Colour in rgb and the opacity per unit distance in a; there is at least one record.
-vec4 tfcClassify(vec4 attributes, ivec2 records)
+// Colour in rgb and the opacity per unit distance in a, by the records of regions in a cell.
+vec4 tfcClassifyRegions(vec4 attributes, vec2 p, ivec3 records)
 {
-  vec2 p = attributes.xy * in_tfcAxisScale + in_tfcAxisBias;
   vec3 colorSum = vec3(0.0);
   float alphaSum = 0.0;
   float transparency = 1.0;
@@ -56,6 +54,22 @@ vec4 tfcClassify(vec4 attributes, ivec2 records)
     records.x += TFC_RECORD_TEXELS;
   } while (records.x < records.y);
   return alphaSum > 0.0 ? vec4(colorSum / alphaSum, 1.0 - transparency) : vec4(0.0);
+}
+
+// The same by what the cell has.
+vec4 tfcClassify(vec4 attributes, ivec3 cell)
+{
+  vec2 p = attributes.xy * in_tfcAxisScale + in_tfcAxisBias;
+  vec4 classified = vec4(0.0);
+  if (cell.x < cell.y)
+  {
+    classified = tfcClassifyRegions(attributes, p, cell);
+  }
+#ifdef TFC_PATCHES
+  vec4 patched = tfcPatch(cell.z, p);
+  classified = cell.z > 0 ? patched : classified;
+#endif
+  return classified;
 }
 
 // Opacity of the current piece of the ray, where it is `opacity` per unit distance.

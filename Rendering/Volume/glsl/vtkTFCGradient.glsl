@@ -11,6 +11,8 @@
 // coordinates, which is not the way of a covector and tilts normals by the proportions of the
 // block; so it gets what in_textureToEye maps to the right normal.
 
+uniform sampler3D in_tfcPrimary; // only set when there is shading
+
 mat3 g_tfcGradientToLight;
 
 // Called once per ray.
@@ -29,7 +31,7 @@ vec4 computeGradient(in vec3 position, in int component, in sampler3D volume, in
 {
   vec3 size = vec3(textureSize(volume, 0));
   vec3 low = 0.5 / size;
-  float center = texture(volume, position).x;
+  float center = g_tfcAttributes.x; // VTK asks at the current sample
   vec3 slope;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -37,8 +39,8 @@ vec4 computeGradient(in vec3 position, in int component, in sampler3D volume, in
     vec3 behind = position;
     ahead[axis] = min(position[axis] + 1.0 / size[axis], 1.0 - low[axis]);
     behind[axis] = max(position[axis] - 1.0 / size[axis], low[axis]);
-    float valueAhead = texture(volume, ahead).x;
-    float valueBehind = texture(volume, behind).x;
+    float valueAhead = texture(in_tfcPrimary, ahead).x;
+    float valueBehind = texture(in_tfcPrimary, behind).x;
     if (!(valueAhead == valueAhead))
     {
       valueAhead = center;

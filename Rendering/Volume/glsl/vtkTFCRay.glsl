@@ -24,6 +24,7 @@ float g_tfcEnd;
 float g_tfcPhase;       // u of the cut before the entry, negated
 int g_tfcInterval;
 float g_tfcWeight;      // length of the current piece, in sample distances
+vec4 g_tfcAttributes;   // at the middle of the current piece
 float g_tfcMiddle;      // u of its middle
 float g_tfcWorldStep;   // world length of one sample distance
 

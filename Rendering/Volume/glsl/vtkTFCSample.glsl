@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What happens at a sample: found, classified, lit by VTK and composited front to back.
 
-vec4 g_tfcAttributes; // of the current sample
-ivec2 g_tfcRecords;   // of the regions that it may be in; empty: not visible
+ivec3 g_tfcCell;      // what the transfer function has there (see tfcCell)
 
 // Move to the next sample that some region may show. Samples in between are dealt with here, in a
 // short loop of their own, so that on processors that run many rays in step none waits for the
@@ -15,8 +14,8 @@ void tfcBeginSample()
   {
     tfcLeap();
     g_tfcAttributes = texture(in_volume[0], g_dataPos);
-    g_tfcRecords = tfcFindRecords(g_tfcAttributes);
-    invisible = g_tfcRecords.x >= g_tfcRecords.y && g_tfcWeight > 0.0;
+    g_tfcCell = tfcFindCell(g_tfcAttributes);
+    invisible = g_tfcCell == ivec3(0) && g_tfcWeight > 0.0;
     g_tfcInterval += invisible ? 1 : 0;
   } while (invisible);
 }
@@ -27,11 +26,7 @@ vec3 g_tfcColor;
 
 float computeOpacity(vec4 attributes)
 {
-  vec4 classified = vec4(0.0);
-  if (g_tfcRecords.x < g_tfcRecords.y)
-  {
-    classified = tfcClassify(attributes, g_tfcRecords);
-  }
+  vec4 classified = tfcClassify(attributes, g_tfcCell);
   g_tfcColor = classified.rgb;
   return tfcPieceOpacity(classified.a);
 }

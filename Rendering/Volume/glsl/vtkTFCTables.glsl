@@ -11,10 +11,10 @@ vec4 tfcFetch(int texel)
   return texelFetch(in_tfcTables, ivec2(texel & 1023, texel >> 10), 0);
 }
 
-// Records of the regions that may be non-zero in the grid cell of a point in axis units: texels
-// [first, end), empty where there is none.
-ivec2 tfcRecords(vec2 p)
+// What there is in the grid cell of a point in axis units: records of regions in texels [x, y), or a
+// patch at texel z. All 0 where nothing is.
+ivec3 tfcCell(vec2 p)
 {
   ivec2 cell = clamp(ivec2(p * float(in_tfcGridSize)), ivec2(0), ivec2(in_tfcGridSize - 1));
-  return ivec2(tfcFetch(cell.y * in_tfcGridSize + cell.x).xy);
+  return ivec3(tfcFetch(cell.y * in_tfcGridSize + cell.x).xyz);
 }
