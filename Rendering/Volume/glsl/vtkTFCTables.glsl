@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The transfer function as numbers: one RGBA float texture of 1024 texels a row, read as a list.
+// The transfer function as numbers: one RGBA float buffer texture.
 // vtkTFCShaderTables writes it and documents the records.
 
-uniform sampler2D in_tfcTables;
+uniform samplerBuffer in_tfcTables;
 uniform int in_tfcGridSize; // the index grid has this many cells along each axis
 
 vec4 tfcFetch(int texel)
 {
-  return texelFetch(in_tfcTables, ivec2(texel & 1023, texel >> 10), 0);
+  return texelFetch(in_tfcTables, texel);
 }
 
 // What there is in the grid cell of a point in axis units: records of regions in texels [x, y), or a
