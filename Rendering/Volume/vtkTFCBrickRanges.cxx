@@ -11,7 +11,6 @@ namespace
 {
 
 using Range = vtkTFCBrickRanges::Range;
-constexpr int Size = vtkTFCBrickRanges::Size;
 
 //------------------------------------------------------------------------------
 // The comparisons are false for NaN, so that it changes nothing. As many channels as a vector
@@ -39,32 +38,32 @@ void Extend(Range& range, const float* texel, int count)
 //------------------------------------------------------------------------------
 // One row of texels into the bricks of a row.
 template <int Channels>
-void ExtendRow(Range* bricks, int numberOfBricks, const float* row, int length)
+void ExtendRow(Range* bricks, int numberOfBricks, int size, const float* row, int length)
 {
   for (int brick = 0; brick < numberOfBricks; ++brick)
   {
-    const int first = brick * Size;
+    const int first = brick * size;
     Extend<Channels>(bricks[brick], row + static_cast<vtkIdType>(Channels) * first,
-      std::min(Size + 1, length - first));
+      std::min(size + 1, length - first));
   }
 }
 
 //------------------------------------------------------------------------------
 // Rows of bricks [begin, end), counted through a layer and then through layers.
 template <int Channels>
-void ExtendBricks(Range* ranges, const std::array<int, 3>& bricks, const float* values,
+void ExtendBricks(Range* ranges, const std::array<int, 3>& bricks, int size, const float* values,
   const std::array<int, 3>& texels, vtkIdType begin, vtkIdType end)
 {
   for (vtkIdType index = begin; index < end; ++index)
   {
-    const int firstY = static_cast<int>(index % bricks[1]) * Size;
-    const int firstZ = static_cast<int>(index / bricks[1]) * Size;
-    for (int z = firstZ; z < std::min(firstZ + Size + 1, texels[2]); ++z)
+    const int firstY = static_cast<int>(index % bricks[1]) * size;
+    const int firstZ = static_cast<int>(index / bricks[1]) * size;
+    for (int z = firstZ; z < std::min(firstZ + size + 1, texels[2]); ++z)
     {
-      for (int y = firstY; y < std::min(firstY + Size + 1, texels[1]); ++y)
+      for (int y = firstY; y < std::min(firstY + size + 1, texels[1]); ++y)
       {
         const vtkIdType row = y + static_cast<vtkIdType>(texels[1]) * z;
-        ExtendRow<Channels>(ranges + index * bricks[0], bricks[0],
+        ExtendRow<Channels>(ranges + index * bricks[0], bricks[0], size,
           values + Channels * row * texels[0], texels[0]);
       }
     }
@@ -76,18 +75,29 @@ void ExtendBricks(Range* ranges, const std::array<int, 3>& bricks, const float* 
 //------------------------------------------------------------------------------
 void vtkTFCBrickRanges::Compute(const float* values, const std::array<int, 3>& texels, int channels)
 {
-  for (int axis = 0; axis < 3; ++axis)
+  vtkIdType count = 0;
+  for (this->BrickSize = 4;; this->BrickSize *= 2)
   {
-    this->Dimensions[axis] = std::max(1, (texels[axis] - 1 + Size - 1) / Size);
+    count = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Dimensions[axis] =
+        std::max(1, (texels[axis] - 1 + this->BrickSize - 1) / this->BrickSize);
+      count *= this->Dimensions[axis];
+    }
+    if (count <= LargestNumberOfBricks)
+    {
+      break;
+    }
   }
   constexpr float infinity = std::numeric_limits<float>::infinity();
   Range empty;
   empty.Minimum.fill(infinity);
   empty.Maximum.fill(-infinity);
   const auto& bricks = this->Dimensions;
-  this->Ranges.assign(static_cast<size_t>(bricks[0]) * bricks[1] * bricks[2], empty);
+  this->Ranges.assign(count, empty);
   const auto extend = channels == 2 ? ExtendBricks<2> : ExtendBricks<4>;
   vtkTFCThreads::For(0, static_cast<vtkIdType>(bricks[1]) * bricks[2], 16,
     [&](vtkIdType begin, vtkIdType end)
-    { extend(this->Ranges.data(), bricks, values, texels, begin, end); });
+    { extend(this->Ranges.data(), bricks, this->BrickSize, values, texels, begin, end); });
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCRayCastMapper.h"
 
-#include "vtkTFCBrickRanges.h"
 #include "vtkTFCBrickTexture.h"
 #include "vtkTFCPatch.h"
 #include "vtkTFCPrimaryTexture.h"
@@ -42,7 +41,6 @@ std::string MakeDefinitions(unsigned int features)
   { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
   std::string text = define("TFC_RECORD_TEXELS", vtkTFCShaderTables::RecordTexels) +
     define("TFC_BUCKETS", vtkTFCShaderTables::Buckets) +
-    define("TFC_BRICK_SIZE", vtkTFCBrickRanges::Size) +
     define("TFC_PATCH_NODES", vtkTFCPatch::Nodes);
   const std::pair<unsigned int, const char*> names[] = {
     { vtkTFCShaderTables::Polygons, "TFC_POLYGONS" },
@@ -128,8 +126,9 @@ void vtkTFCRayCastMapper::SetTables(const vtkTFCShaderTables& tables, unsigned i
 
 //------------------------------------------------------------------------------
 void vtkTFCRayCastMapper::SetBricks(std::vector<unsigned char> distances,
-  const std::array<int, 3>& dimensions)
+  const std::array<int, 3>& dimensions, int brickSize)
 {
+  this->BrickSize = brickSize;
   this->BrickDistances = std::move(distances);
   this->BrickDimensions = dimensions;
   ++this->BrickGeneration;
@@ -164,6 +163,7 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
   vtkUniforms* uniforms = vol->GetShaderProperty()->GetFragmentCustomUniforms();
   uniforms->SetUniformi("in_tfcTables", this->Texture->GetTextureUnit());
   uniforms->SetUniformi("in_tfcBricks", this->BrickTexture->GetTextureUnit());
+  uniforms->SetUniformf("in_tfcBrickSize", static_cast<float>(this->BrickSize));
   uniforms->SetUniformi("in_tfcGridSize", this->Tables.GridSize);
   uniforms->SetUniform2f("in_tfcAxisScale", this->Tables.AxisScale.data());
   uniforms->SetUniform2f("in_tfcAxisBias", this->Tables.AxisBias.data());

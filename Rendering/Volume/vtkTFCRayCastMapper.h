@@ -69,7 +69,8 @@ public:
   void SetTables(const vtkTFCShaderTables& tables, unsigned int generation);
 
   /// The distances of vtkTFCBrickActivity for the input; before the first frame.
-  void SetBricks(std::vector<unsigned char> distances, const std::array<int, 3>& dimensions);
+  void SetBricks(std::vector<unsigned char> distances, const std::array<int, 3>& dimensions,
+    int brickSize);
 
   /// World distance between samples and over which the model's opacities hold.
   void SetDistances(double sampleDistance, double unitDistance);
@@ -100,6 +101,7 @@ private:
   std::unique_ptr<vtkTFCTableTexture> Texture;
   std::vector<unsigned char> BrickDistances = { 0 };
   std::array<int, 3> BrickDimensions = { 1, 1, 1 };
+  int BrickSize = 1;
   unsigned int BrickGeneration = 1;
   std::unique_ptr<vtkTFCBrickTexture> BrickTexture;
   std::unique_ptr<vtkTFCPrimaryTexture> PrimaryTexture;

@@ -320,7 +320,7 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
   {
     regions.push_back(MakeRecord(region, stored, hasTertiaries, texels));
   }
-  texels.reserve(texels.size() + RecordTexels * records + RowLength);
+  texels.reserve(texels.size() + RecordTexels * records);
   std::vector<std::vector<int>> members;
   for (int set = 0; set < sets.GetNumberOfSets(); ++set)
   {
@@ -353,8 +353,5 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
     }
     texels[cell] = MakeTexel(places[set], places[set] + RecordTexels * sets.GetSize(set));
   }
-
-  const size_t rows = (tables.Texels.size() + RowLength - 1) / RowLength;
-  tables.Texels.resize(rows * RowLength, MakeTexel(0));
   return tables;
 }

@@ -55,9 +55,7 @@ struct VTKTFCVOLUME_EXPORT vtkTFCShaderTables
   static constexpr size_t LargestNumberOfRecords = 1 << 18;
   static constexpr int RecordTexels = 3;
   static constexpr int Buckets = 64;
-  static constexpr int RowLength = 1024;
 
-  /// Padded to whole rows of RowLength texels.
   std::vector<std::array<float, 4>> Texels;
   int GridSize = 1;
 

@@ -4,7 +4,8 @@
  * @file
  * @brief Keeps the texels of vtkTFCShaderTables in a buffer texture of one OpenGL context.
  *
- * Not filtered: the shader reads single texels by their number. One texture unit, only while active.
+ * Not filtered: the shader reads single texels by their number. One texture unit, only while
+ * active.
  */
 
 #ifndef vtkTFCTableTexture_h

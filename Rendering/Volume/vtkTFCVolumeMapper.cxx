@@ -185,7 +185,7 @@ void vtkTFCVolumeMapper::Internals::UpdateBricks(bool skipping, bool changed)
 {
   if (!skipping && (changed || this->Skipping))
   {
-    this->Caster->SetBricks({ 0 }, { 1, 1, 1 }); // one active brick
+    this->Caster->SetBricks({ 0 }, { 1, 1, 1 }, 1); // one active brick
   }
   else if (skipping && (changed || !this->Skipping))
   {
@@ -207,7 +207,7 @@ void vtkTFCVolumeMapper::Internals::UpdateBricks(bool skipping, bool changed)
     this->Caster->SetBricks(
       vtkTFCBrickActivity::FindDistances(
         vtkTFCBrickActivity::Find(this->Ranges, this->Model, this->Packer.GetStored()), dimensions),
-      dimensions);
+      dimensions, this->Ranges.GetBrickSize());
   }
   this->Skipping = skipping;
 }

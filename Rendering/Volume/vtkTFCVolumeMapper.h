@@ -33,8 +33,8 @@
  * the packed texture to the classification. Its colour and opacity functions are not used.
  *
  * Memory besides the input: 16 bytes a voxel on the CPU and 16 on the GPU, half of that as long as
- * no region has a tertiary attribute of its own; for skipping empty space 0.07 on the CPU; with
- * shading 4 more on the GPU.
+ * no region has a tertiary attribute of its own; for skipping empty space 0.5 on the CPU; with
+ * shading 4 more on the GPU. The transfer function takes some 100 KB, at most 20 MB.
  *
  * It derives from vtkMultiBlockVolumeMapper because ParaView's vtkPVLODVolume renders no other
  * mapper without selected scalars.
@@ -88,8 +88,9 @@ public:
 
   ///@{
   /**
-   * Whether rays leap over bricks of 8^3 voxels in which the transfer function can show nothing.
-   * The picture is the same; only tests have a reason to switch it off. Default: on.
+   * Whether rays leap over bricks of 4^3 voxels, larger ones in large volumes, in which the
+   * transfer function can show nothing. The picture is the same; only tests have a reason to switch
+   * it off. Default: on.
    */
   vtkSetMacro(EmptySpaceSkipping, bool);
   vtkGetMacro(EmptySpaceSkipping, bool);

@@ -229,7 +229,7 @@ TEST(BrickActivity, NoVisibleVoxelIsInAnInactiveBrick)
       std::array<int, 3> b;
       for (int axis = 0; axis < 3; ++axis)
       {
-        b[axis] = std::min(p[axis] / vtkTFCBrickRanges::Size, bricks[axis] - 1);
+        b[axis] = std::min(p[axis] / ranges.GetBrickSize(), bricks[axis] - 1);
       }
       const size_t brick = b[0] + static_cast<size_t>(bricks[0]) * (b[1] + bricks[1] * b[2]);
       ASSERT_TRUE(opacity == 0 || active[brick]) << "voxel " << i << " of round " << round;
@@ -237,6 +237,21 @@ TEST(BrickActivity, NoVisibleVoxelIsInAnInactiveBrick)
     inactive += static_cast<int>(std::count(active.begin(), active.end(), 0));
   }
   EXPECT_GT(inactive, 200) << "nothing would be skipped";
+}
+
+TEST(BrickActivity, LargeVolumesHaveLargerBricks)
+{
+  vtkTFCBrickRanges ranges;
+  std::vector<float> values(size_t(2) * 3000 * 3000, 0.25F);
+  ranges.Compute(values.data(), { 3000, 300, 1 }, 2);
+  EXPECT_EQ(ranges.GetBrickSize(), 4);
+  values[2 * 5000] = 0.5F; // in row 1
+  ranges.Compute(values.data(), { 3000, 3000, 1 }, 2);
+  EXPECT_EQ(ranges.GetBrickSize(), 8);
+  EXPECT_EQ(ranges.GetDimensions(), (std::array<int, 3>{ 375, 375, 1 }));
+  EXPECT_EQ(ranges.GetRanges()[250].Minimum[0], 0.25F);
+  EXPECT_EQ(ranges.GetRanges()[250].Maximum[0], 0.5F);
+  EXPECT_EQ(ranges.GetRanges()[251].Maximum[0], 0.25F);
 }
 
 TEST(BrickActivity, DistancesAreChessboardDistances)

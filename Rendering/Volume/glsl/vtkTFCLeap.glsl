@@ -6,6 +6,7 @@
 // without. vtkTFCBrickActivity finds the bricks and their distances.
 
 uniform sampler3D in_tfcBricks; // chessboard distance to the nearest active brick, of 255
+uniform float in_tfcBrickSize;  // in texels of the volume
 
 vec3 g_tfcBrickOrigin; // u = 0 in bricks
 vec3 g_tfcBrickStep;   // bricks per sample distance
@@ -13,8 +14,8 @@ vec3 g_tfcBrickStep;   // bricks per sample distance
 // Called once per ray, after tfcBeginRay().
 void tfcBeginLeaps()
 {
-  vec3 bricks = vec3(textureSize(in_volume[0], 0)) / float(TFC_BRICK_SIZE);
-  g_tfcBrickOrigin = g_tfcOrigin * bricks - 0.5 / float(TFC_BRICK_SIZE);
+  vec3 bricks = vec3(textureSize(in_volume[0], 0)) / in_tfcBrickSize;
+  g_tfcBrickOrigin = g_tfcOrigin * bricks - 0.5 / in_tfcBrickSize;
   g_tfcBrickStep = g_dirStep * bricks;
 }
 
