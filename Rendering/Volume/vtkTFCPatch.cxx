@@ -13,6 +13,52 @@ namespace
 using Value = std::array<double, 4>;
 
 //------------------------------------------------------------------------------
+// Normalised distance of an ellipse or rectangle.
+double Distance(const vtkTFCCompiledRegion& region, double x, double y)
+{
+  const double dx = x - region.Center[0];
+  const double dy = y - region.Center[1];
+  const double u = std::abs(region.Cosine * dx + region.Sine * dy) / region.HalfSize[0];
+  const double v = std::abs(region.Cosine * dy - region.Sine * dx) / region.HalfSize[1];
+  return region.Shape == vtkTFCShapeType::Ellipse ? std::hypot(u, v) : std::max(u, v);
+}
+
+//------------------------------------------------------------------------------
+// Whether a region's weight has no jump, no kink and no strong curvature in a box. The values at a
+// few points could not tell: a narrow region may lie between them.
+bool IsSmooth(const vtkTFCCompiledRegion& region, const std::array<double, 4>& box)
+{
+  // Polygons are left out for their cost: this runs for every cell at every edit.
+  if (region.Tertiary >= 0 || !region.Points.empty())
+  {
+    return false;
+  }
+  // d is convex, so it is largest in a corner, and changes by at most 1 over the smaller half size.
+  const double largest =
+    std::max({ Distance(region, box[0], box[2]), Distance(region, box[1], box[2]),
+      Distance(region, box[0], box[3]), Distance(region, box[1], box[3]) });
+  const double half = std::min(region.HalfSize[0], region.HalfSize[1]);
+  const double smallest = Distance(region, 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3])) -
+    0.5 * std::hypot(box[1] - box[0], box[3] - box[2]) / half;
+  const double core = 1.0 - region.Width; // the weight is 1 up to here: linear and smooth
+  const bool wide = region.Width * half >= 12.0 * (box[1] - box[0]) / (vtkTFCPatch::Nodes - 1);
+  const bool isEllipse = region.Shape == vtkTFCShapeType::Ellipse;
+  switch (region.Falloff)
+  {
+    case vtkTFCFalloffType::Constant:
+      return largest <= 1.0;
+    case vtkTFCFalloffType::Linear:
+      return largest <= core ||
+        (isEllipse && wide && smallest > std::max(core, 0.1) && largest <= 1.0);
+    case vtkTFCFalloffType::Smooth:
+      return largest <= core || (isEllipse && wide);
+    case vtkTFCFalloffType::Gaussian:
+      return isEllipse && wide && largest <= 1.0;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 // The blend of regions at a point, colour times opacity and opacity.
 Value Blend(const vtkTFCCompiledModel& model, const std::vector<int>& regions, double x, double y)
 {
@@ -40,10 +86,9 @@ Value Blend(const vtkTFCCompiledModel& model, const std::vector<int>& regions, d
 bool vtkTFCPatch::Fit(const vtkTFCCompiledModel& model, const std::vector<int>& regions,
   const std::array<double, 4>& box)
 {
-  // Polygons are left out for their cost: this runs for every cell at every edit.
   if (static_cast<int>(regions.size()) < FewestRegions ||
-    std::any_of(regions.begin(), regions.end(),
-      [&](int r) { return model.Regions[r].Tertiary >= 0 || !model.Regions[r].Points.empty(); }))
+    !std::all_of(regions.begin(), regions.end(),
+      [&](int r) { return IsSmooth(model.Regions[r], box); }))
   {
     return false;
   }

@@ -234,6 +234,28 @@ TEST(Slab, ManyRegionsWithoutTertiariesMatchTheReference)
   }
 }
 
+TEST(Slab, ANarrowRegionAmongManyMatchesTheReference)
+{
+  // It is narrower than the distance of a patch's nodes, and must not fall between them.
+  std::string regions = MakeRegion(50,
+    R"({"type": "rectangle", "center": [0.5, 0.5], "halfsize": [0.0004, 0.3], "angle": 3})",
+    R"({"type": "constant"})", "[1, 1, 1]", 0.8);
+  for (int i = 0; i < 6; ++i)
+  {
+    const char* falloffs[] = { "linear", "smooth", "gaussian" };
+    const std::string radius = std::to_string(0.3 + 0.02 * i);
+    regions += "," +
+      MakeRegion(i + 1,
+        R"({"type": "ellipse", "center": [0.5, 0.5], "radii": [)" + radius + ", 0.35]}",
+        R"({"type": ")" + std::string(falloffs[i % 3]) + R"(", "width": 0.9})", "[0.2, 0.9, 0.4]",
+        0.1);
+  }
+  for (const double scale : { 1.0, 0.01 })
+  {
+    ExpectSlabMatches(MakeState(regions), scale);
+  }
+}
+
 TEST(Slab, DifferentAxisRangesMatchTheReference)
 {
   // Rotation is in axis units, so unequal ranges shear it in data units.

@@ -14,10 +14,12 @@
 uniform sampler3D in_tfcPrimary; // only set when there is shading
 
 mat3 g_tfcGradientToLight;
+vec3 g_tfcTexel; // size of one in texture coordinates
 
 // Called once per ray.
 void tfcBeginLight()
 {
+  g_tfcTexel = 1.0 / vec3(textureSize(in_volume[0], 0));
   mat3 dataToTexture = mat3(ip_inverseTextureDataAdjusted);
 #ifdef TOTAL_NUMBER_LIGHTS
   g_tfcGradientToLight = inverse(mat3(in_textureToEye[0])) * mat3(in_modelViewMatrix) *
@@ -29,16 +31,15 @@ void tfcBeginLight()
 
 vec4 computeGradient(in vec3 position, in int component, in sampler3D volume, in int index)
 {
-  vec3 size = vec3(textureSize(volume, 0));
-  vec3 low = 0.5 / size;
+  vec3 low = 0.5 * g_tfcTexel;
   float center = g_tfcAttributes.x; // VTK asks at the current sample
   vec3 slope;
   for (int axis = 0; axis < 3; ++axis)
   {
     vec3 ahead = position;
     vec3 behind = position;
-    ahead[axis] = min(position[axis] + 1.0 / size[axis], 1.0 - low[axis]);
-    behind[axis] = max(position[axis] - 1.0 / size[axis], low[axis]);
+    ahead[axis] = min(position[axis] + g_tfcTexel[axis], 1.0 - low[axis]);
+    behind[axis] = max(position[axis] - g_tfcTexel[axis], low[axis]);
     float valueAhead = texture(in_tfcPrimary, ahead).x;
     float valueBehind = texture(in_tfcPrimary, behind).x;
     if (!(valueAhead == valueAhead))
