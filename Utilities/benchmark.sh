@@ -9,10 +9,10 @@ usage() {
   cat <<'TEXT'
 usage: Utilities/benchmark.sh [NAME [ARGUMENTS]]
 
-Runs the benchmark NAME, or all of them: attributes. Its table goes to the terminal and to its
-section of Testing/Benchmarks/RESULTS.md. Exit status 1: a ratio is above its limit.
+Runs the benchmark NAME, or all of them: attributes, volume. Its table goes to the terminal and
+to its section of Testing/Benchmarks/RESULTS.md. Exit status 1: a ratio is above its limit.
 
-  --repeats N     how often each is measured; the median counts (default 5)
+  --repeats N     how often each is measured; the median counts (default 5; volume: 9 frames)
   --only "A;B"    only the named rows of the table
   --output FILE   another file than RESULTS.md
 
@@ -23,14 +23,14 @@ TEXT
 
 source_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build_dir="${TFC_BUILD_DIR:-$source_dir/build}"
-names=(attributes)
+names=(attributes volume)
 if (($# > 0)); then
   case "$1" in
     -h | --help)
       usage
       exit 0
       ;;
-    attributes)
+    attributes | volume)
       names=("$1")
       shift
       ;;
@@ -51,7 +51,11 @@ cmake --build "$build_dir/benchmarks"
 export PYTHONPATH="$build_dir/lib/python3/dist-packages:$source_dir/Testing/Benchmarks"
 status=0
 for name in "${names[@]}"; do
-  pvpython "$source_dir/Testing/Benchmarks/$name.py" "$build_dir/benchmarks/tfc_peers" \
+  run=(pvpython)
+  if [[ "$name" == volume && -z "${DISPLAY:-}" ]]; then
+    run=(xvfb-run -a -s "-screen 0 1600x1200x24 -noreset" pvpython)
+  fi
+  "${run[@]}" "$source_dir/Testing/Benchmarks/$name.py" "$build_dir/benchmarks/tfc_peers" \
     --output "$source_dir/Testing/Benchmarks/RESULTS.md" "$@" || status=1
 done
 exit "$status"

@@ -26,8 +26,6 @@
 namespace
 {
 
-constexpr int ChannelCount = vtkTFCAttributePacker::NumberOfChannels;
-
 //------------------------------------------------------------------------------
 // Everything that packing reads, by identity and modification time. Times are unique in a process,
 // so a new array at an old address is noticed; a shallow copy of the dataset is not a change.
@@ -63,7 +61,7 @@ std::string MakeFingerprint(vtkImageData* source, const std::vector<vtkTFCAttrib
 //------------------------------------------------------------------------------
 // One array of ghost flags into NaNs of the packed values.
 void ApplyBlanking(vtkUnsignedCharArray* ghosts, unsigned char hidden, vtkIdType count,
-  float* packed)
+  int channels, float* packed)
 {
   if (!ghosts || ghosts->GetNumberOfTuples() < count)
   {
@@ -78,7 +76,7 @@ void ApplyBlanking(vtkUnsignedCharArray* ghosts, unsigned char hidden, vtkIdType
       {
         if (flags[i] & hidden)
         {
-          std::fill(packed + ChannelCount * i, packed + ChannelCount * (i + 1), nan);
+          std::fill(packed + channels * i, packed + channels * (i + 1), nan);
         }
       }
     });
@@ -87,7 +85,7 @@ void ApplyBlanking(vtkUnsignedCharArray* ghosts, unsigned char hidden, vtkIdType
 //------------------------------------------------------------------------------
 // Repeat the single layer of every one-voxel-thick axis of a point image; innermost axis first, in
 // place from the end, so that nothing is read after it was overwritten.
-void RepeatLayers(const int source[3], const int packed[3], float* values)
+void RepeatLayers(const int source[3], const int packed[3], int channels, float* values)
 {
   for (int k = packed[2] - 1; k >= 0; --k)
   {
@@ -100,9 +98,9 @@ void RepeatLayers(const int source[3], const int packed[3], float* values)
           source[0] *
             (std::min(j, source[1] - 1) +
               static_cast<vtkIdType>(source[1]) * std::min(k, source[2] - 1));
-        for (int c = 0; c < ChannelCount; ++c)
+        for (int c = 0; c < channels; ++c)
         {
-          values[ChannelCount * to + c] = values[ChannelCount * from + c];
+          values[channels * to + c] = values[channels * from + c];
         }
       }
     }
@@ -115,8 +113,19 @@ void RepeatLayers(const int source[3], const int packed[3], float* values)
 bool vtkTFCAttributePacker::MapToChannels(const std::vector<vtkTFCAttribute>& attributes)
 {
   std::vector<vtkTFCStoredAttribute> stored;
-  for (const auto& attribute : attributes)
+  for (size_t i = 0; i < attributes.size(); ++i)
   {
+    const auto& attribute = attributes[i];
+    if (i < 2)
+    {
+      // The shader reads the axes from the first two channels.
+      if (this->Channels.size() < 2 || !(this->Channels[i] == attribute))
+      {
+        return false;
+      }
+      stored.push_back(this->ChannelStorage[i]);
+      continue;
+    }
     const auto found = std::find(this->Channels.begin(), this->Channels.end(), attribute);
     if (found == this->Channels.end())
     {
@@ -187,16 +196,17 @@ bool vtkTFCAttributePacker::Update(vtkImageData* source,
   std::vector<vtkTFCAttribute> distinct;
   for (const auto& attribute : attributes)
   {
-    if (std::find(distinct.begin(), distinct.end(), attribute) == distinct.end())
+    if (distinct.size() < 2 ||
+      std::find(distinct.begin(), distinct.end(), attribute) == distinct.end())
     {
       distinct.push_back(attribute);
     }
   }
-  if (distinct.size() > NumberOfChannels)
+  if (distinct.size() > MaximumNumberOfChannels)
   {
     std::ostringstream message;
     message << "the transfer function uses " << distinct.size() << " attributes, and at most "
-            << NumberOfChannels
+            << MaximumNumberOfChannels
             << " can be rendered at once (two axes and two tertiary attributes). Let some regions "
                "share a tertiary attribute.";
     error = message.str();
@@ -232,7 +242,9 @@ bool vtkTFCAttributePacker::Update(vtkImageData* source,
   const vtkIdType count = reader.GetNumberOfTuples();
   vtkNew<vtkFloatArray> array;
   array->SetName("tfc_attributes");
-  array->SetNumberOfComponents(NumberOfChannels);
+  // Fewer channels are fewer bytes for every sample to fetch. VTK has no textures of three.
+  const int channels = distinct.size() > 2 ? MaximumNumberOfChannels : 2;
+  array->SetNumberOfComponents(channels);
   array->SetNumberOfTuples(
     this->CellData ? this->Image->GetNumberOfCells() : this->Image->GetNumberOfPoints());
   float* packed = array->GetPointer(0);
@@ -245,14 +257,14 @@ bool vtkTFCAttributePacker::Update(vtkImageData* source,
       for (vtkIdType first = begin; first < end; first += chunk)
       {
         const vtkIdType length = std::min(chunk, end - first);
-        for (int c = 0; c < NumberOfChannels; ++c)
+        for (int c = 0; c < channels; ++c)
         {
-          float* out = packed + NumberOfChannels * first + c;
+          float* out = packed + channels * first + c;
           if (c >= static_cast<int>(this->ChannelStorage.size()))
           {
             for (vtkIdType i = 0; i < length; ++i)
             {
-              out[NumberOfChannels * i] = 0.0F;
+              out[channels * i] = 0.0F;
             }
             continue;
           }
@@ -261,7 +273,7 @@ bool vtkTFCAttributePacker::Update(vtkImageData* source,
           const double factor = 1.0 / this->ChannelStorage[c].Scale;
           for (vtkIdType i = 0; i < length; ++i)
           {
-            out[NumberOfChannels * i] = static_cast<float>((values[i] - offset) * factor);
+            out[channels * i] = static_cast<float>((values[i] - offset) * factor);
           }
         }
       }
@@ -269,15 +281,17 @@ bool vtkTFCAttributePacker::Update(vtkImageData* source,
 
   if (this->CellData)
   {
-    ApplyBlanking(source->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL, count, packed);
+    ApplyBlanking(source->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL, count, channels,
+      packed);
     this->Image->GetCellData()->SetScalars(array);
   }
   else
   {
-    ApplyBlanking(source->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT, count, packed);
+    ApplyBlanking(source->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT, count, channels,
+      packed);
     if (this->Image->GetNumberOfPoints() != count)
     {
-      RepeatLayers(sourceDimensions, packedDimensions, packed);
+      RepeatLayers(sourceDimensions, packedDimensions, channels, packed);
     }
     this->Image->GetPointData()->SetScalars(array);
     vtkUnsignedCharArray* ghosts = source->GetCellGhostArray();

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The attributes of a transfer function as one four-channel float image for the GPU.
+ * @brief The attributes of a transfer function as one float image for the GPU.
  *
- * One fetch of the packed texture gives the primary, the secondary and two tertiary attributes.
+ * One fetch of the packed texture gives the primary and the secondary attribute, in the first two
+ * channels, and up to two tertiary attributes. There are two channels, or four with a tertiary.
  * Values are stored as (value - Offset) / Scale with the finite range of the array in this block,
  * in double precision before rounding to float, so that any scalar type and any offset keeps 24
  * bits of its own range. Offset and Scale are undone exactly in the tables: a block's range is not
@@ -18,7 +19,8 @@
  * draw.
  * - An axis with a single layer of voxels becomes a slab one voxel thick, centred on the layer.
  *
- * Memory: 16 bytes a voxel on the CPU (freed with the packer's image) and 16 on the GPU.
+ * Memory: 8 bytes a voxel on the CPU (freed with the packer's image) and 8 on the GPU with two
+ * channels, twice that with four.
  */
 
 #ifndef vtkTFCAttributePacker_h
@@ -37,13 +39,13 @@ class vtkImageData;
 class VTKTFCVOLUME_EXPORT vtkTFCAttributePacker
 {
 public:
-  static constexpr int NumberOfChannels = 4;
+  static constexpr int MaximumNumberOfChannels = 4;
 
   /**
    * Make the image hold `attributes` of `source`. Nothing is done when it already does: the same
    * arrays, unmodified, on the same grid, and every attribute in some channel. Returns false and
    * fills `error` when an attribute is missing (the message lists the arrays there are), differs in
-   * association or size, or when there are more than NumberOfChannels distinct ones.
+   * association or size, or when there are more than MaximumNumberOfChannels distinct ones.
    */
   bool Update(vtkImageData* source, const std::vector<vtkTFCAttribute>& attributes,
     std::string& error);

@@ -2,33 +2,64 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCRayCastMapper.h"
 
+#include "vtkTFCBrickTexture.h"
+#include "vtkTFCPatch.h"
+#include "vtkTFCPrimaryTexture.h"
 #include "vtkTFCTableTexture.h"
 
 #include "vtkTFCClassify_glsl.h"
 #include "vtkTFCGradient_glsl.h"
+#include "vtkTFCLeap_glsl.h"
+#include "vtkTFCPatch_glsl.h"
 #include "vtkTFCRay_glsl.h"
-#include "vtkTFCShade_glsl.h"
+#include "vtkTFCSample_glsl.h"
 #include "vtkTFCShapes_glsl.h"
 #include "vtkTFCTables_glsl.h"
 #include "vtkTFCTertiary_glsl.h"
 
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkUniforms.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace
 {
 
 //------------------------------------------------------------------------------
+std::string MakeDefinitions(unsigned int features)
+{
+  const auto define = [](const char* name, int value)
+  { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
+  std::string text = define("TFC_RECORD_TEXELS", vtkTFCShaderTables::RecordTexels) +
+    define("TFC_BUCKETS", vtkTFCShaderTables::Buckets) +
+    define("TFC_PATCH_NODES", vtkTFCPatch::Nodes);
+  const std::pair<unsigned int, const char*> names[] = {
+    { vtkTFCShaderTables::Polygons, "TFC_POLYGONS" },
+    { vtkTFCShaderTables::Gaussians, "TFC_GAUSSIANS" },
+    { vtkTFCShaderTables::Tertiaries, "TFC_TERTIARIES" },
+    { vtkTFCShaderTables::TertiaryColors, "TFC_TERTIARY_COLORS" },
+    { vtkTFCShaderTables::Patches, "TFC_PATCHES" },
+  };
+  for (const auto& [feature, name] : names)
+  {
+    text += features & feature ? define(name, 1) : "";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 // Put our functions and the calls to them at the tags of VTK's ray casting shader. Tags that VTK
 // still has to fill are kept in the replacement.
-void InstallReplacements(vtkShaderProperty* shader)
+void InstallReplacements(vtkShaderProperty* shader, const std::string& definitions)
 {
   const std::string ownTag = "//VTK::CustomUniforms::Dec";
   for (int i = 0; i < shader->GetNumberOfShaderReplacements(); ++i)
@@ -38,7 +69,8 @@ void InstallReplacements(vtkShaderProperty* shader)
     bool replaceFirst = false;
     bool replaceAll = false;
     shader->GetNthShaderReplacement(i, name, replaceFirst, replacement, replaceAll);
-    if (name == ownTag && shader->GetNthShaderReplacementTypeAsString(i) == "Fragment")
+    if (name == ownTag && replacement == definitions &&
+      shader->GetNthShaderReplacementTypeAsString(i) == "Fragment")
     {
       return;
     }
@@ -48,16 +80,18 @@ void InstallReplacements(vtkShaderProperty* shader)
 
   // VTK would declare the uniforms here by the type they are set with, which for a sampler is an
   // integer. Our files declare them, where a reader looks for them.
-  replace(ownTag, "");
+  replace(ownTag, definitions);
   replace("//VTK::ComputeOpacity::Dec",
-    std::string(vtkTFCRay_glsl) + vtkTFCTables_glsl + vtkTFCShapes_glsl + vtkTFCTertiary_glsl +
-      vtkTFCClassify_glsl);
+    std::string(vtkTFCRay_glsl) + vtkTFCLeap_glsl + vtkTFCTables_glsl + vtkTFCShapes_glsl +
+      vtkTFCTertiary_glsl + vtkTFCPatch_glsl + vtkTFCClassify_glsl);
   replace("//VTK::ComputeGradient::Dec", vtkTFCGradient_glsl);
-  replace("//VTK::ComputeColor::Dec", vtkTFCShade_glsl);
+  replace("//VTK::ComputeColor::Dec", vtkTFCSample_glsl);
+  replace("//VTK::Shading::Impl", "if (!g_skip)\n    {\n      tfcComposite();\n    }");
   replace("//VTK::Clipping::Impl", "g_tfcSegmentStart = g_dataPos;\n//VTK::Clipping::Impl");
   // Depth peeling would move the start to a sample, and drop segments shorter than a step.
   replace("//VTK::DepthPeeling::Ray::PathCheck", "");
-  replace("//VTK::Shading::Init", "tfcBeginRay();\n  tfcBeginLight();\n//VTK::Shading::Init");
+  replace("//VTK::Shading::Init",
+    "tfcBeginRay();\n  tfcBeginLeaps();\n  tfcBeginLight();\n//VTK::Shading::Init");
   replace("//VTK::Base::Impl",
     "tfcBeginSample();\n//VTK::Base::Impl\n    g_skip = g_skip || tfcCropped();");
   replace("//VTK::Terminate::Impl", "if (tfcEndSample()) { break; }");
@@ -70,6 +104,8 @@ vtkStandardNewMacro(vtkTFCRayCastMapper);
 //------------------------------------------------------------------------------
 vtkTFCRayCastMapper::vtkTFCRayCastMapper()
   : Texture(new vtkTFCTableTexture)
+  , BrickTexture(new vtkTFCBrickTexture)
+  , PrimaryTexture(new vtkTFCPrimaryTexture)
 {
   this->AutoAdjustSampleDistances = 0;
   this->UseJittering = 0;
@@ -86,6 +122,16 @@ void vtkTFCRayCastMapper::SetTables(const vtkTFCShaderTables& tables, unsigned i
     this->Tables = tables;
     this->TablesGeneration = generation;
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::SetBricks(std::vector<unsigned char> distances,
+  const std::array<int, 3>& dimensions, int brickSize)
+{
+  this->BrickSize = brickSize;
+  this->BrickDistances = std::move(distances);
+  this->BrickDimensions = dimensions;
+  ++this->BrickGeneration;
 }
 
 //------------------------------------------------------------------------------
@@ -106,6 +152,8 @@ int vtkTFCRayCastMapper::GetNumberOfTableUploads() const
 void vtkTFCRayCastMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
+  this->BrickTexture->ReleaseGraphicsResources(window);
+  this->PrimaryTexture->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -114,11 +162,11 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
 {
   vtkUniforms* uniforms = vol->GetShaderProperty()->GetFragmentCustomUniforms();
   uniforms->SetUniformi("in_tfcTables", this->Texture->GetTextureUnit());
-  uniforms->SetUniformi("in_tfcGridSize", vtkTFCShaderTables::GridSize);
-  uniforms->SetUniformi("in_tfcCandidateBase", this->Tables.CandidateBase);
+  uniforms->SetUniformi("in_tfcBricks", this->BrickTexture->GetTextureUnit());
+  uniforms->SetUniformf("in_tfcBrickSize", static_cast<float>(this->BrickSize));
+  uniforms->SetUniformi("in_tfcGridSize", this->Tables.GridSize);
   uniforms->SetUniform2f("in_tfcAxisScale", this->Tables.AxisScale.data());
   uniforms->SetUniform2f("in_tfcAxisBias", this->Tables.AxisBias.data());
-  uniforms->SetUniform2f("in_tfcAxisChannel", this->Tables.AxisChannel.data());
   uniforms->SetUniformi("in_tfcBlendOver", this->Tables.BlendOver ? 1 : 0);
   uniforms->SetUniformf("in_tfcInverseUnitDistance", static_cast<float>(1.0 / this->UnitDistance));
 
@@ -142,22 +190,75 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
 }
 
 //------------------------------------------------------------------------------
-void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
+bool vtkTFCRayCastMapper::UploadTextures(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  window->MakeCurrent();
   if (!this->Texture->Upload(window, this->Tables, this->TablesGeneration))
   {
     vtkErrorMacro("The transfer function needs a table of "
       << this->Tables.Texels.size() * sizeof(this->Tables.Texels.front())
       << " bytes, more than this graphics driver allows. Use fewer regions, or polygons with fewer "
          "points.");
+    return false;
+  }
+  if (!this->BrickTexture->Upload(window, this->BrickDistances, this->BrickDimensions,
+        this->BrickGeneration))
+  {
+    vtkErrorMacro("The graphics driver refuses a texture of "
+      << this->BrickDimensions[0] << " x " << this->BrickDimensions[1] << " x "
+      << this->BrickDimensions[2] << " bytes for skipping empty space.");
+    return false;
+  }
+  if (!property->GetShade())
+  {
+    this->PrimaryTexture->ReleaseGraphicsResources(window);
+    return true;
+  }
+  int cellFlag = 0;
+  auto* image = vtkImageData::SafeDownCast(this->GetInput());
+  auto* packed = vtkFloatArray::SafeDownCast(vtkAbstractMapper::GetScalars(image, this->ScalarMode,
+    this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
+  std::array<int, 3> texels;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    texels[axis] = std::max(1, image->GetDimensions()[axis] - (cellFlag == 1 ? 1 : 0));
+  }
+  if (!this->PrimaryTexture->Upload(window, packed, texels,
+        property->GetInterpolationType() == VTK_LINEAR_INTERPOLATION))
+  {
+    vtkErrorMacro("The graphics driver refuses a texture of "
+      << texels[0] << " x " << texels[1] << " x " << texels[2]
+      << " floats for the gradients of shading. Switch shading off, or use fewer voxels.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  window->MakeCurrent();
+  if (!this->UploadTextures(window, vol->GetProperty()))
+  {
     return;
   }
+  const bool shaded = vol->GetProperty()->GetShade() != 0;
   this->Texture->Activate();
-  InstallReplacements(vol->GetShaderProperty());
+  this->BrickTexture->Activate();
+  if (shaded)
+  {
+    this->PrimaryTexture->Activate();
+    vol->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("in_tfcPrimary",
+      this->PrimaryTexture->GetTextureUnit());
+  }
+  InstallReplacements(vol->GetShaderProperty(), MakeDefinitions(this->Tables.FeaturesUsed));
   this->SetUniforms(vol);
   this->Superclass::GPURender(ren, vol);
+  if (shaded)
+  {
+    this->PrimaryTexture->Deactivate();
+  }
+  this->BrickTexture->Deactivate();
   this->Texture->Deactivate();
 }
 

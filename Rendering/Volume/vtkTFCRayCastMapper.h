@@ -11,11 +11,14 @@
  * their uniforms. Lights, opaque geometry, depth peeling, picking and the off-centre viewport stay
  * VTK's.
  *
- * The input is a vtkImageData whose active scalars are four float components
+ * The input is a vtkImageData whose active scalars are two or four float components
  * (vtkTFCAttributePacker). The volume's property must have IndependentComponents off.
  *
  * The replacements live in the shader property of the rendered vtkVolume and stay there: do not
  * give that volume to another kind of GPU mapper afterwards.
+ *
+ * What no model has used so far (vtkTFCShaderTables::Features) is not compiled; its first use
+ * builds a shader once.
  *
  * No setter here touches the modification time when the shader does not change, so nothing is
  * rebuilt when a region, a plane or the sample distance is edited.
@@ -32,7 +35,11 @@
 #include <memory> // For the texture
 #include <vector> // For planes
 
+class vtkTFCBrickTexture;
+class vtkTFCPrimaryTexture;
 class vtkTFCTableTexture;
+class vtkOpenGLRenderWindow;
+class vtkVolumeProperty;
 
 class VTKTFCVOLUME_EXPORT vtkTFCRayCastMapper : public vtkOpenGLGPUVolumeRayCastMapper
 {
@@ -61,6 +68,10 @@ public:
   /// The classification. `generation` must grow with every change.
   void SetTables(const vtkTFCShaderTables& tables, unsigned int generation);
 
+  /// The distances of vtkTFCBrickActivity for the input; before the first frame.
+  void SetBricks(std::vector<unsigned char> distances, const std::array<int, 3>& dimensions,
+    int brickSize);
+
   /// World distance between samples and over which the model's opacities hold.
   void SetDistances(double sampleDistance, double unitDistance);
 
@@ -82,11 +93,18 @@ private:
   vtkTFCRayCastMapper(const vtkTFCRayCastMapper&) = delete;
   void operator=(const vtkTFCRayCastMapper&) = delete;
 
+  bool UploadTextures(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
   void SetUniforms(vtkVolume* vol);
 
   vtkTFCShaderTables Tables;
   unsigned int TablesGeneration = 0;
   std::unique_ptr<vtkTFCTableTexture> Texture;
+  std::vector<unsigned char> BrickDistances = { 0 };
+  std::array<int, 3> BrickDimensions = { 1, 1, 1 };
+  int BrickSize = 1;
+  unsigned int BrickGeneration = 1;
+  std::unique_ptr<vtkTFCBrickTexture> BrickTexture;
+  std::unique_ptr<vtkTFCPrimaryTexture> PrimaryTexture;
   Visibility Visible;
   double UnitDistance = 1;
 };

@@ -10,20 +10,25 @@
  * axis wide is as exact as a wide one.
  *
  * The list holds RGBA texels, in this order (see glsl/vtkTFC*.glsl):
- * - index grid: GridSize x GridSize cells over the axes' unit square, (first candidate, count, 0,
- * 0); a cell lists every region whose bounding box touches it, so cost per sample follows the
- * number of regions that overlap there, not their total number
- * - candidates: texel index of a region, four to a texel; in list order within a cell
- * - regions, RegionTexels each:
- *   [0] shape + 4 * fall-off, width, opacity, number of colour nodes (0: constant colour)
- *   [1] ellipse, rectangle: centre x, y, cosine, sine; triangle, polygon: first edge, edges, 1/E
- *   [2] ellipse, rectangle: 1/half size x, y; all: tertiary channel (-1: none), first opacity node
- *   [3] colour, number of opacity nodes; the colour nodes follow the opacity nodes
- * - edges (x0, y0, x1, y1) and nodes (value, y...) of the regions
+ * - index grid: GridSize x GridSize cells over the axes' unit square, (first, end, 0, 0): the
+ * texels with the records of all regions that may be non-zero in the cell, so cost per sample
+ * follows the number of regions that overlap there, not their total number
+ * - edges (x0, y0, x1, y1) of polygons; tertiary functions: colour nodes (value, r, g, b), then
+ *   (first colour node, number of them), then Buckets pieces and all pieces of opacity times
+ *   tertiary function (a, b, end, next piece): a + b v for v < end
+ * - records of regions, RecordTexels each, for every different set of regions, in list order:
+ *   [0] ellipse, rectangle: centre x, y, and [1] (c, d, 1/width of the fall-off, shape + 4 *
+ *       fall-off), where (a, b; c, d) with a, b in [0] turns and scales the shape to the unit one;
+ *       triangle, polygon: first edge, number of edges, 1/E
+ *   [1] also has 16 * channel of the tertiary attribute in its last number
+ *   [2] opacity, colour; with the feature Tertiaries the first bucket in place of the opacity, for
+ *       every region: without a tertiary function its one piece is the opacity
+ * - patches, vtkTFCPatch::Nodes^2 texels each
  *
  * Axis positions are in axis units, tertiary values in stored units (see vtkTFCAttributePacker).
- * Size: 16 bytes a texel; GridSize^2 + 4 per region + edges + nodes + candidates texels, e.g. 270
- * KB for 8 simple regions.
+ * Size: 16 bytes a texel; GridSize^2 + RecordTexels for each region of each different set + edges +
+ * functions, e.g. 300 KB for 8 simple regions. The grid becomes coarser before there are more than
+ * LargestNumberOfRecords records (16 MB).
  */
 
 #ifndef vtkTFCShaderTables_h
@@ -46,26 +51,39 @@ struct vtkTFCStoredAttribute
 
 struct VTKTFCVOLUME_EXPORT vtkTFCShaderTables
 {
-  static constexpr int GridSize = 128;
-  static constexpr int RegionTexels = 4;
-  static constexpr int RowLength = 1024;
+  static constexpr int LargestGridSize = 128;
+  static constexpr size_t LargestNumberOfRecords = 1 << 18;
+  static constexpr int RecordTexels = 3;
+  static constexpr int Buckets = 64;
 
-  /// Padded to whole rows of RowLength texels.
   std::vector<std::array<float, 4>> Texels;
-  int CandidateBase = 0;
+  int GridSize = 1;
 
-  /// stored -> axis units of the primary and secondary attribute: axis = stored * Scale + Bias.
+  /// What the shader must be able to do, as bits. Each costs time in every sample on a processor
+  /// that executes both sides of a branch, so it is compiled only once a model uses it.
+  enum Features : unsigned int
+  {
+    Polygons = 1, ///< also triangles
+    Gaussians = 2,
+    Tertiaries = 4,
+    TertiaryColors = 8,
+    Patches = 16 ///< cells where many regions overlap
+  };
+  unsigned int FeaturesUsed = 0; ///< by the model, and those asked for
+
+  /// stored -> axis units of the primary and secondary attribute, which are in channels 0 and 1:
+  /// axis = stored * Scale + Bias.
   std::array<float, 2> AxisScale = { 1, 1 };
   std::array<float, 2> AxisBias = { 0, 0 };
-  std::array<float, 2> AxisChannel = { 0, 1 };
   bool BlendOver = false;
 
   /**
-   * Write the tables of `model`, whose attribute i is stored as stored[i].
-   * O(GridSize^2 + sum over regions of the cells that the bounding box touches).
+   * Write the tables of `model`, whose attribute i is stored as stored[i], for a shader that has
+   * `features` besides those that the model uses.
+   * O(GridSize^2 + sum over regions of the cells that the bounding box touches + records).
    */
   static vtkTFCShaderTables Build(const vtkTFCCompiledModel& model,
-    const std::vector<vtkTFCStoredAttribute>& stored);
+    const std::vector<vtkTFCStoredAttribute>& stored, unsigned int features = 0);
 };
 
 #endif

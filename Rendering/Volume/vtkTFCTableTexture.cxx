@@ -4,8 +4,10 @@
 
 #include "vtkTFCShaderTables.h"
 
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
+#include "vtk_glew.h"
 
 //------------------------------------------------------------------------------
 vtkTFCTableTexture::vtkTFCTableTexture() = default;
@@ -22,24 +24,23 @@ bool vtkTFCTableTexture::Upload(vtkOpenGLRenderWindow* context, const vtkTFCShad
   {
     return true;
   }
-  const auto rows = static_cast<int>(tables.Texels.size() / vtkTFCShaderTables::RowLength);
-  if (rows > vtkTextureObject::GetMaximumTextureSize(context))
+  const auto count = static_cast<unsigned int>(tables.Texels.size());
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
+  if (count > static_cast<unsigned int>(largest))
   {
     return false;
   }
   if (!this->Texture)
   {
     this->Texture = vtkSmartPointer<vtkTextureObject>::New();
+    this->Buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+    this->Buffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
   }
   this->Texture->SetContext(context);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  // Create2DFromRaw() takes a non-const pointer and only reads.
-  void* data = const_cast<float*>(tables.Texels.front().data());
-  if (!this->Texture->Create2DFromRaw(vtkTFCShaderTables::RowLength,
-        static_cast<unsigned int>(rows), 4, VTK_FLOAT, data))
+  if (!this->Buffer->Upload(tables.Texels.front().data(), 4 * static_cast<size_t>(count),
+        vtkOpenGLBufferObject::TextureBuffer) ||
+    !this->Texture->CreateTextureBuffer(count, 4, VTK_FLOAT, this->Buffer))
   {
     return false;
   }
@@ -73,5 +74,7 @@ void vtkTFCTableTexture::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Texture->ReleaseGraphicsResources(window);
     this->Texture = nullptr;
+    this->Buffer->ReleaseGraphicsResources();
+    this->Buffer = nullptr;
   }
 }

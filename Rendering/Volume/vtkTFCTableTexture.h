@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Keeps the texels of vtkTFCShaderTables in a 2D float texture of one OpenGL context.
+ * @brief Keeps the texels of vtkTFCShaderTables in a buffer texture of one OpenGL context.
  *
- * Not filtered: the shader reads single texels. One texture unit, only while active.
+ * Not filtered: the shader reads single texels by their number. One texture unit, only while
+ * active.
  */
 
 #ifndef vtkTFCTableTexture_h
@@ -12,6 +13,7 @@
 
 #include "vtkSmartPointer.h" // For the texture
 
+class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 class vtkWindow;
@@ -39,6 +41,7 @@ public:
 
 private:
   vtkSmartPointer<vtkTextureObject> Texture;
+  vtkSmartPointer<vtkOpenGLBufferObject> Buffer; // what the texture reads
   unsigned int Generation = 0;
   int NumberOfUploads = 0;
 };

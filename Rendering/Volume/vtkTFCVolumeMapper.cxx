@@ -3,11 +3,15 @@
 #include "vtkTFCVolumeMapper.h"
 
 #include "vtkTFCAttributePacker.h"
+#include "vtkTFCBrickActivity.h"
+#include "vtkTFCBrickRanges.h"
 #include "vtkTFCRayCastMapper.h"
 #include "vtkTFCTransferFunction.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
@@ -15,6 +19,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -102,7 +107,13 @@ public:
   unsigned int TablesPackGeneration = 0;
   unsigned int TablesGeneration = 0;
   bool TablesOutdated = true;
+  unsigned int Features = 0; // of all tables so far
 
+  vtkTFCBrickRanges Ranges;
+  unsigned int RangesPackGeneration = 0;
+  bool Skipping = false; // whether the caster was given the distances of bricks
+
+  void UpdateBricks(bool skipping, bool changed);
   bool PackAndCompile(vtkTFCVolumeMapper* mapper, vtkImageData* image, std::string& error);
   vtkTFCRayCastMapper::Visibility FindVisibility(vtkVolumeMapper* mapper, vtkVolume* vol) const;
 };
@@ -155,12 +166,50 @@ bool vtkTFCVolumeMapper::Internals::PackAndCompile(vtkTFCVolumeMapper* mapper, v
   {
     this->Model = model->Compile(used.data());
     ++this->TablesGeneration;
-    this->Caster->SetTables(vtkTFCShaderTables::Build(this->Model, this->Packer.GetStored()),
-      this->TablesGeneration);
+    // What was compiled once stays, so that an edit back and forth builds no shader.
+    const auto tables =
+      vtkTFCShaderTables::Build(this->Model, this->Packer.GetStored(), this->Features);
+    this->Features = tables.FeaturesUsed;
+    this->Caster->SetTables(tables, this->TablesGeneration);
     this->TablesPackGeneration = this->Packer.GetGeneration();
     this->TablesOutdated = false;
+    this->UpdateBricks(mapper->EmptySpaceSkipping, true);
   }
+  this->UpdateBricks(mapper->EmptySpaceSkipping, false);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Tell the caster where nothing can be visible; `changed`: the model or the data is new.
+void vtkTFCVolumeMapper::Internals::UpdateBricks(bool skipping, bool changed)
+{
+  if (!skipping && (changed || this->Skipping))
+  {
+    this->Caster->SetBricks({ 0 }, { 1, 1, 1 }, 1); // one active brick
+  }
+  else if (skipping && (changed || !this->Skipping))
+  {
+    if (this->RangesPackGeneration != this->Packer.GetGeneration())
+    {
+      vtkImageData* image = this->Packer.GetImage();
+      const bool cells = this->Packer.IsCellData();
+      auto* array = vtkFloatArray::SafeDownCast(
+        cells ? image->GetCellData()->GetScalars() : image->GetPointData()->GetScalars());
+      std::array<int, 3> texels;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        texels[axis] = std::max(1, image->GetDimensions()[axis] - (cells ? 1 : 0));
+      }
+      this->Ranges.Compute(array->GetPointer(0), texels, array->GetNumberOfComponents());
+      this->RangesPackGeneration = this->Packer.GetGeneration();
+    }
+    const auto& dimensions = this->Ranges.GetDimensions();
+    this->Caster->SetBricks(
+      vtkTFCBrickActivity::FindDistances(
+        vtkTFCBrickActivity::Find(this->Ranges, this->Model, this->Packer.GetStored()), dimensions),
+      dimensions, this->Ranges.GetBrickSize());
+  }
+  this->Skipping = skipping;
 }
 
 //------------------------------------------------------------------------------
@@ -390,5 +439,6 @@ void vtkTFCVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TransferFunction: " << this->TransferFunction.Get() << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "EmptySpaceSkipping: " << this->EmptySpaceSkipping << "\n";
   os << indent << "LastError: " << this->LastError << "\n";
 }

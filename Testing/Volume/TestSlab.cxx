@@ -186,6 +186,76 @@ TEST(Slab, AxisAsTertiaryMatchesTheReference)
     MakeState(MakeRegion(1, Shapes[1], R"({"type": "constant"})", "[0.2, 0.8, 1]", 0.7, tertiary)));
 }
 
+TEST(Slab, ManyOverlappingRegionsMatchTheReference)
+{
+  // Neighbouring pixels see different numbers of regions and different pieces of their functions.
+  for (const char* blend : { "mix", "over" })
+  {
+    std::string regions;
+    for (int i = 0; i < 14; ++i)
+    {
+      const std::string x = std::to_string(0.2 + 0.045 * i);
+      const std::string y = std::to_string(0.5 + 0.02 * (i % 5));
+      const std::string shape = i % 3 == 0
+        ? R"({"type": "rectangle", "center": [)" + x + ", " + y + R"(], "halfsize": [0.2, 0.1]})"
+        : R"({"type": "ellipse", "center": [)" + x + ", " + y + R"(], "radii": [0.15, 0.35]})";
+      const std::string begin = std::to_string(0.1 + 0.03 * i);
+      const std::string end = std::to_string(0.25 + 0.03 * i);
+      const std::string tertiary = i % 2 == 0 ? "null"
+                                              : R"({"array": "t", "component": 0, "range": [0, 1],
+        "opacity": [[)" +
+          begin + ", 0], [" + end + ", 1], [" + end + R"(, 0.5], [0.9, 0]]})";
+      regions += (i ? "," : "") +
+        MakeRegion(i + 1, shape, R"({"type": "smooth", "width": 0.6})",
+          i % 3 ? "[0.2, 0.9, 0.4]" : "[1, 0.1, 0.6]", 0.2 + 0.04 * i, tertiary);
+    }
+    ExpectSlabMatches(MakeState(regions, "[0, 1]", "[0, 1]", blend));
+  }
+}
+
+TEST(Slab, ManyRegionsWithoutTertiariesMatchTheReference)
+{
+  // Enough of them to be drawn by patches where they are smooth, and one that is not.
+  for (const char* blend : { "mix", "over" })
+  {
+    std::string regions =
+      MakeRegion(50, Shapes[1], R"({"type": "constant"})", "[0.1, 0.3, 1]", 0.3);
+    for (int i = 0; i < 12; ++i)
+    {
+      const std::string x = std::to_string(0.4 + 0.02 * i);
+      const std::string y = std::to_string(0.5 + 0.02 * (i % 5));
+      regions += "," +
+        MakeRegion(i + 1,
+          R"({"type": "ellipse", "center": [)" + x + ", " + y + R"(], "radii": [0.3, 0.35]})",
+          R"({"type": "smooth", "width": 0.5})", i % 3 ? "[0.2, 0.9, 0.4]" : "[1, 0.1, 0.6]",
+          0.05 + 0.02 * i);
+    }
+    ExpectSlabMatches(MakeState(regions, "[0, 1]", "[0, 1]", blend));
+  }
+}
+
+TEST(Slab, ANarrowRegionAmongManyMatchesTheReference)
+{
+  // It is narrower than the distance of a patch's nodes, and must not fall between them.
+  std::string regions = MakeRegion(50,
+    R"({"type": "rectangle", "center": [0.5, 0.5], "halfsize": [0.0004, 0.3], "angle": 3})",
+    R"({"type": "constant"})", "[1, 1, 1]", 0.8);
+  for (int i = 0; i < 6; ++i)
+  {
+    const char* falloffs[] = { "linear", "smooth", "gaussian" };
+    const std::string radius = std::to_string(0.3 + 0.02 * i);
+    regions += "," +
+      MakeRegion(i + 1,
+        R"({"type": "ellipse", "center": [0.5, 0.5], "radii": [)" + radius + ", 0.35]}",
+        R"({"type": ")" + std::string(falloffs[i % 3]) + R"(", "width": 0.9})", "[0.2, 0.9, 0.4]",
+        0.1);
+  }
+  for (const double scale : { 1.0, 0.01 })
+  {
+    ExpectSlabMatches(MakeState(regions), scale);
+  }
+}
+
 TEST(Slab, DifferentAxisRangesMatchTheReference)
 {
   // Rotation is in axis units, so unequal ranges shear it in data units.

@@ -9,71 +9,76 @@
 
 uniform vec2 in_tfcAxisScale;      // stored value -> axis units
 uniform vec2 in_tfcAxisBias;
-uniform vec2 in_tfcAxisChannel;    // channels of the primary and the secondary attribute
 uniform int in_tfcBlendOver;
 uniform float in_tfcInverseUnitDistance;
 
-vec3 g_tfcColor; // of the last classified sample
-
-// Colour in rgb and the opacity per unit distance in a.
-vec4 tfcClassify(vec4 attributes)
+// What tfcCell() has for a sample. The axes are in the first two channels.
+ivec3 tfcFindCell(vec4 attributes)
 {
-  vec2 axes = vec2(attributes[int(in_tfcAxisChannel.x)], attributes[int(in_tfcAxisChannel.y)]);
-  vec2 p = axes * in_tfcAxisScale + in_tfcAxisBias;
+  vec2 p = attributes.xy * in_tfcAxisScale + in_tfcAxisBias;
   // Written so that NaN fails: no region outside the axes, nor where there is no data.
-  if (!(p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0))
-  {
-    return vec4(0.0);
-  }
+  bool inside = p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0;
+  ivec3 cell = tfcCell(p);
+  return inside ? cell : ivec3(0);
+}
 
+// Colour in rgb and the opacity per unit distance in a, by the records of regions in a cell.
+vec4 tfcClassifyRegions(vec4 attributes, vec2 p, ivec3 records)
+{
   vec3 colorSum = vec3(0.0);
   float alphaSum = 0.0;
   float transparency = 1.0;
-  ivec2 candidates = tfcCandidates(p);
-  for (int i = 0; i < candidates.y; ++i)
+  do
   {
-    int region = tfcCandidateRegion(candidates.x + i);
-    vec4 head = tfcFetch(region);
-    vec4 size = tfcFetch(region + 2); // and tertiary channel or -1, first opacity node
-    float weight = tfcRegionWeight(head, tfcFetch(region + 1), size.xy, p);
-    if (weight <= 0.0)
+    vec4 turn = tfcFetch(records.x + 1);
+    vec4 paint = tfcFetch(records.x + 2);
+    float alpha = tfcRegionWeight(tfcFetch(records.x), turn, p);
+    vec3 color = paint.yzw;
+#ifdef TFC_TERTIARIES
+    float v = tfcChannel(attributes, int(turn.w) >> 4);
+    alpha *= tfcTertiaryOpacity(int(paint.x), v);
+#ifdef TFC_TERTIARY_COLORS
+    vec4 nodes = tfcFetch(int(paint.x) - 1); // first, count
+    if (nodes.y > 0.0 && alpha > 0.0)
     {
-      continue;
+      color = tfcTertiaryColor(int(nodes.x), int(nodes.y), v);
     }
-    vec4 color = tfcFetch(region + 3); // and number of opacity nodes
-    float alpha = head.z * weight;
-    if (size.z >= 0.0)
-    {
-      float v = attributes[int(size.z)];
-      int nodes = int(color.w);
-      alpha *= tfcTertiaryOpacity(int(size.w), nodes, v);
-      if (alpha > 0.0 && head.w > 0.0)
-      {
-        color.rgb = tfcPiecewiseLinear(int(size.w) + nodes, int(head.w), v);
-      }
-    }
-    if (alpha <= 0.0)
-    {
-      continue;
-    }
+#endif
+#else
+    alpha *= paint.x;
+#endif
     float contribution = in_tfcBlendOver != 0 ? transparency * alpha : alpha;
-    colorSum += contribution * color.rgb;
+    colorSum += contribution * color;
     alphaSum += contribution;
     transparency *= 1.0 - alpha;
-  }
+    records.x += TFC_RECORD_TEXELS;
+  } while (records.x < records.y);
   return alphaSum > 0.0 ? vec4(colorSum / alphaSum, 1.0 - transparency) : vec4(0.0);
 }
 
-// The two functions that VTK's ray casting loop calls. Opacity is per unit distance in the model
-// and corrected here for the length of the current piece.
-float computeOpacity(vec4 attributes)
+// The same by what the cell has.
+vec4 tfcClassify(vec4 attributes, ivec3 cell)
 {
-  vec4 classified = tfcClassify(attributes);
-  g_tfcColor = classified.rgb;
+  vec2 p = attributes.xy * in_tfcAxisScale + in_tfcAxisBias;
+  vec4 classified = vec4(0.0);
+  if (cell.x < cell.y)
+  {
+    classified = tfcClassifyRegions(attributes, p, cell);
+  }
+#ifdef TFC_PATCHES
+  vec4 patched = tfcPatch(cell.z, p);
+  classified = cell.z > 0 ? patched : classified;
+#endif
+  return classified;
+}
+
+// Opacity of the current piece of the ray, where it is `opacity` per unit distance.
+float tfcPieceOpacity(float opacity)
+{
   float units = g_tfcWeight * g_tfcWorldStep * in_tfcInverseUnitDistance;
-  if (!(classified.a > 0.0 && units > 0.0))
+  if (!(opacity > 0.0 && units > 0.0))
   {
     return 0.0;
   }
-  return classified.a < 1.0 ? 1.0 - pow(1.0 - classified.a, units) : 1.0;
+  return opacity < 1.0 ? 1.0 - pow(1.0 - opacity, units) : 1.0;
 }

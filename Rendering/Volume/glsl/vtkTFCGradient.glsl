@@ -11,11 +11,15 @@
 // coordinates, which is not the way of a covector and tilts normals by the proportions of the
 // block; so it gets what in_textureToEye maps to the right normal.
 
+uniform sampler3D in_tfcPrimary; // only set when there is shading
+
 mat3 g_tfcGradientToLight;
+vec3 g_tfcTexel; // size of one in texture coordinates
 
 // Called once per ray.
 void tfcBeginLight()
 {
+  g_tfcTexel = 1.0 / vec3(textureSize(in_volume[0], 0));
   mat3 dataToTexture = mat3(ip_inverseTextureDataAdjusted);
 #ifdef TOTAL_NUMBER_LIGHTS
   g_tfcGradientToLight = inverse(mat3(in_textureToEye[0])) * mat3(in_modelViewMatrix) *
@@ -27,19 +31,17 @@ void tfcBeginLight()
 
 vec4 computeGradient(in vec3 position, in int component, in sampler3D volume, in int index)
 {
-  int channel = int(in_tfcAxisChannel.x);
-  vec3 size = vec3(textureSize(volume, 0));
-  vec3 low = 0.5 / size;
-  float center = texture(volume, position)[channel];
+  vec3 low = 0.5 * g_tfcTexel;
+  float center = g_tfcAttributes.x; // VTK asks at the current sample
   vec3 slope;
   for (int axis = 0; axis < 3; ++axis)
   {
     vec3 ahead = position;
     vec3 behind = position;
-    ahead[axis] = min(position[axis] + 1.0 / size[axis], 1.0 - low[axis]);
-    behind[axis] = max(position[axis] - 1.0 / size[axis], low[axis]);
-    float valueAhead = texture(volume, ahead)[channel];
-    float valueBehind = texture(volume, behind)[channel];
+    ahead[axis] = min(position[axis] + g_tfcTexel[axis], 1.0 - low[axis]);
+    behind[axis] = max(position[axis] - g_tfcTexel[axis], low[axis]);
+    float valueAhead = texture(in_tfcPrimary, ahead).x;
+    float valueBehind = texture(in_tfcPrimary, behind).x;
     if (!(valueAhead == valueAhead))
     {
       valueAhead = center;

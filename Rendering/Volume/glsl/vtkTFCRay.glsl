@@ -24,6 +24,8 @@ float g_tfcEnd;
 float g_tfcPhase;       // u of the cut before the entry, negated
 int g_tfcInterval;
 float g_tfcWeight;      // length of the current piece, in sample distances
+vec4 g_tfcAttributes;   // at the middle of the current piece
+float g_tfcMiddle;      // u of its middle
 float g_tfcWorldStep;   // world length of one sample distance
 
 vec3 computeRayDirection();
@@ -96,14 +98,15 @@ void tfcBeginRay()
   g_exit = !(g_tfcEnd > g_tfcBegin);
 }
 
-// Move to the middle of the current piece.
-void tfcBeginSample()
+// Move to the middle of the current piece; beyond the end its weight is 0.
+void tfcPlaceSample()
 {
   float cut = float(g_tfcInterval) - g_tfcPhase;
   float begin = max(cut, g_tfcBegin);
   float end = min(cut + 1.0, g_tfcEnd);
   g_tfcWeight = max(end - begin, 0.0);
-  g_dataPos = g_tfcOrigin + 0.5 * (begin + end) * g_dirStep;
+  g_tfcMiddle = 0.5 * (begin + end);
+  g_dataPos = g_tfcOrigin + g_tfcMiddle * g_dirStep;
 }
 
 // Step to the next piece; true when the ray is done.

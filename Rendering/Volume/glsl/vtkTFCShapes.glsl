@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Weight of a region at a point in axis units: the normalised distance d inside the shape and the
 // fall-off w(d), as Plugin/Documentation/state-format.md defines them. Zero outside.
+// What the model does not use is not compiled (see vtkTFCShaderTables::Features).
 
 const int TFC_ELLIPSE = 0;
 const int TFC_RECTANGLE = 1;
@@ -9,7 +10,9 @@ const int TFC_RECTANGLE = 1;
 const int TFC_CONSTANT = 0;
 const int TFC_LINEAR = 1;
 const int TFC_SMOOTH = 2;
+const int TFC_GAUSSIAN = 3;
 
+#ifdef TFC_POLYGONS
 // Squared distance from p to the segment (a, b) = (edge.xy, edge.zw).
 float tfcSegmentDistance2(vec2 p, vec4 edge)
 {
@@ -38,38 +41,33 @@ float tfcPolygonDistance(vec2 p, int firstEdge, int edgeCount, float inverseE)
   }
   return inside ? max(0.0, 1.0 - sqrt(distance2) * inverseE) : 2.0;
 }
+#endif
 
-float tfcFalloff(int type, float width, float d)
+// `steepness` is 1 / width.
+float tfcFalloff(int type, float steepness, float d)
 {
-  if (type == TFC_CONSTANT)
-  {
-    return 1.0;
-  }
-  if (type == TFC_LINEAR || type == TFC_SMOOTH)
-  {
-    float linear = min(1.0, (1.0 - d) / width);
-    return type == TFC_LINEAR ? linear : linear * linear * (3.0 - 2.0 * linear);
-  }
-  return exp(-d * d / (2.0 * width * width)); // gaussian
+  float linear = min(1.0, (1.0 - d) * steepness);
+  float weight = type == TFC_SMOOTH ? linear * linear * (3.0 - 2.0 * linear) : linear;
+#ifdef TFC_GAUSSIANS
+  float scaled = d * steepness;
+  weight = type == TFC_GAUSSIAN ? exp(-0.5 * scaled * scaled) : weight;
+#endif
+  return type == TFC_CONSTANT ? 1.0 : weight;
 }
 
-// head, geometry and size are the first three texels of a region (see vtkTFCShaderTables.h).
-float tfcRegionWeight(vec4 head, vec4 geometry, vec2 inverseSize, vec2 p)
+// place and turn are the first two texels of a record (see vtkTFCShaderTables.h).
+float tfcRegionWeight(vec4 place, vec4 turn, vec2 p)
 {
-  float d;
-  int shape = int(head.x) & 3;
-  if (shape == TFC_ELLIPSE || shape == TFC_RECTANGLE)
-  {
-    // geometry: centre, cosine, sine
-    vec2 q = p - geometry.xy;
-    q = vec2(geometry.z * q.x + geometry.w * q.y, geometry.z * q.y - geometry.w * q.x);
-    q *= inverseSize;
-    d = shape == TFC_ELLIPSE ? length(q) : max(abs(q.x), abs(q.y));
-  }
-  else
-  {
-    // geometry: first edge, number of edges, 1/E
-    d = tfcPolygonDistance(p, int(geometry.x), int(geometry.y), geometry.z);
-  }
-  return d <= 1.0 ? tfcFalloff(int(head.x) >> 2, head.y, d) : 0.0;
+  int type = int(turn.w);
+  int shape = type & 3;
+  int falloff = (type >> 2) & 3;
+  vec2 offset = p - place.xy;
+  vec2 q = vec2(dot(place.zw, offset), dot(turn.xy, offset));
+  float d = shape == TFC_RECTANGLE ? max(abs(q.x), abs(q.y)) : length(q);
+#ifdef TFC_POLYGONS
+  int edges = shape > TFC_RECTANGLE ? int(place.y) : 0;
+  float polygon = tfcPolygonDistance(p, int(place.x), edges, place.z);
+  d = shape > TFC_RECTANGLE ? polygon : d;
+#endif
+  return d <= 1.0 ? tfcFalloff(falloff, turn.z, d) : 0.0;
 }

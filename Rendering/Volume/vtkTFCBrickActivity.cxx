@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTFCBrickActivity.h"
+
+#include "vtkTFCRegionExtent.h"
+#include "vtkTFCThreads.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+// The shader computes in single precision; ranges are widened by more than its rounding.
+constexpr double Margin = 1e-5;
+
+using Box = std::array<double, 4>;
+
+//------------------------------------------------------------------------------
+// How many cells of the axes' unit square have something in them, for any rectangle of cells.
+class CellCounts
+{
+public:
+  static constexpr int Size = 256;
+
+  CellCounts()
+    : Sums(static_cast<size_t>(Size + 1) * (Size + 1), 0)
+  {
+  }
+
+  /// Mark the cells that a region may touch; before Sum().
+  void Mark(const vtkTFCCompiledRegion& region)
+  {
+    const int x[2] = { Cell(region.Bounds[0] - Margin), Cell(region.Bounds[1] + Margin) };
+    const int y[2] = { Cell(region.Bounds[2] - Margin), Cell(region.Bounds[3] + Margin) };
+    for (int j = y[0]; j <= y[1]; ++j)
+    {
+      for (int i = x[0]; i <= x[1]; ++i)
+      {
+        int& cell = this->At(i + 1, j + 1);
+        if (cell == 0 &&
+          vtkTFCMayOverlap(region,
+            { (i - 0.01) / Size, (i + 1.01) / Size, (j - 0.01) / Size, (j + 1.01) / Size }))
+        {
+          cell = 1;
+        }
+      }
+    }
+  }
+
+  void Sum()
+  {
+    for (int j = 1; j <= Size; ++j)
+    {
+      int row = 0;
+      for (int i = 1; i <= Size; ++i)
+      {
+        row += this->At(i, j);
+        this->At(i, j) = row + this->At(i, j - 1);
+      }
+    }
+  }
+
+  bool HasAny(const Box& box) const
+  {
+    const int x[2] = { Cell(box[0]), Cell(box[1]) + 1 };
+    const int y[2] = { Cell(box[2]), Cell(box[3]) + 1 };
+    return this->At(x[1], y[1]) - this->At(x[0], y[1]) - this->At(x[1], y[0]) +
+      this->At(x[0], y[0]) >
+      0;
+  }
+
+private:
+  static int Cell(double position)
+  {
+    return static_cast<int>(std::clamp(std::floor(position * Size), 0.0, Size - 1.0));
+  }
+  int& At(int i, int j) { return this->Sums[i + static_cast<size_t>(Size + 1) * j]; }
+  int At(int i, int j) const { return this->Sums[i + static_cast<size_t>(Size + 1) * j]; }
+
+  std::vector<int> Sums;
+};
+
+//------------------------------------------------------------------------------
+// A model in the units of the packed image.
+class BrickTest
+{
+public:
+  BrickTest(const vtkTFCCompiledModel& model, const std::vector<vtkTFCStoredAttribute>& stored)
+    : Model(model)
+  {
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double extent = model.Range[axis][1] - model.Range[axis][0];
+      this->Channel[axis] = stored[axis].Channel;
+      this->Scale[axis] = stored[axis].Scale / extent;
+      this->Bias[axis] = (stored[axis].Offset - model.Range[axis][0]) / extent;
+    }
+    for (const auto& region : model.Regions)
+    {
+      this->Cells.Mark(region);
+      Tertiary tertiary;
+      if (region.Tertiary >= 0)
+      {
+        const vtkTFCStoredAttribute& attribute = stored[region.Tertiary];
+        tertiary.Channel = attribute.Channel;
+        for (const auto& interval : vtkTFCPositiveIntervals(region))
+        {
+          tertiary.Intervals.push_back({ (interval[0] - attribute.Offset) / attribute.Scale,
+            (interval[1] - attribute.Offset) / attribute.Scale });
+        }
+      }
+      this->Tertiaries.push_back(tertiary);
+    }
+    this->Cells.Sum();
+  }
+
+  bool IsActive(const vtkTFCBrickRanges::Range& range) const
+  {
+    Box box;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const int channel = this->Channel[axis];
+      const double low = range.Minimum[channel] * this->Scale[axis] + this->Bias[axis];
+      const double high = range.Maximum[channel] * this->Scale[axis] + this->Bias[axis];
+      // Relative to where the axis ends are, in case they are far from the values.
+      const double margin = Margin * (1.0 + std::abs(this->Bias[axis]));
+      // Nothing is visible outside of the axes.
+      box[2 * axis] = std::max(low, 0.0) - margin;
+      box[2 * axis + 1] = std::min(high, 1.0) + margin;
+      if (!(box[2 * axis] <= box[2 * axis + 1] && low <= high))
+      {
+        return false;
+      }
+    }
+    if (!this->Cells.HasAny(box))
+    {
+      return false;
+    }
+    for (size_t r = 0; r < this->Model.Regions.size(); ++r)
+    {
+      if (vtkTFCMayOverlap(this->Model.Regions[r], box) && this->Tertiaries[r].MaySee(range))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  struct Tertiary
+  {
+    int Channel = -1;
+    std::vector<std::array<double, 2>> Intervals;
+
+    bool MaySee(const vtkTFCBrickRanges::Range& range) const
+    {
+      if (this->Channel < 0)
+      {
+        return true;
+      }
+      const double low = range.Minimum[this->Channel];
+      const double high = range.Maximum[this->Channel];
+      const double margin = Margin * (1.0 + std::abs(low) + std::abs(high));
+      return low <= high &&
+        std::any_of(this->Intervals.begin(), this->Intervals.end(),
+          [=](const std::array<double, 2>& interval)
+          { return high + margin >= interval[0] && low - margin <= interval[1]; });
+    }
+  };
+
+  const vtkTFCCompiledModel& Model;
+  std::array<int, 2> Channel;
+  std::array<double, 2> Scale;
+  std::array<double, 2> Bias;
+  CellCounts Cells;
+  std::vector<Tertiary> Tertiaries;
+};
+
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned char> vtkTFCBrickActivity::Find(const vtkTFCBrickRanges& ranges,
+  const vtkTFCCompiledModel& model, const std::vector<vtkTFCStoredAttribute>& stored)
+{
+  const auto& bricks = ranges.GetRanges();
+  std::vector<unsigned char> active(bricks.size(), 0);
+  if (model.Regions.empty())
+  {
+    return active;
+  }
+  const BrickTest test(model, stored);
+  vtkTFCThreads::For(0, static_cast<vtkIdType>(bricks.size()), 4096,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        active[i] = test.IsActive(bricks[i]) ? 1 : 0;
+      }
+    });
+  return active;
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned char> vtkTFCBrickActivity::FindDistances(
+  const std::vector<unsigned char>& active, const std::array<int, 3>& dimensions)
+{
+  // Two sweeps, each taking the distances of the 13 neighbours behind it: exact for this metric.
+  // With a border of far bricks no neighbour is missing.
+  const std::array<vtkIdType, 3> padded = { dimensions[0] + 2, dimensions[1] + 2,
+    dimensions[2] + 2 };
+  const vtkIdType rowLength = padded[0];
+  const vtkIdType layer = rowLength * padded[1];
+  std::vector<unsigned char> work(layer * padded[2], LargestDistance);
+  const auto row = [&](int j, int k)
+  { return work.data() + (k + 1) * layer + (j + 1) * rowLength + 1; };
+  const auto plain = [&](int j, int k)
+  { return dimensions[0] * (j + static_cast<vtkIdType>(dimensions[1]) * k); };
+  for (int k = 0; k < dimensions[2]; ++k)
+  {
+    for (int j = 0; j < dimensions[1]; ++j)
+    {
+      const unsigned char* from = active.data() + plain(j, k);
+      std::transform(from, from + dimensions[0], row(j, k),
+        [](unsigned char a) -> unsigned char { return a ? 0 : LargestDistance; });
+    }
+  }
+  std::vector<unsigned char> nearest(dimensions[0]);
+  const auto sweep = [&](int j, int k, int direction)
+  {
+    // The four finished rows beside this one, then along the row itself.
+    unsigned char* out = row(j, k);
+    const vtkIdType rows[4] = { -direction * rowLength, direction * (-layer - rowLength),
+      direction * -layer, direction * (rowLength - layer) };
+    std::fill(nearest.begin(), nearest.end(), static_cast<unsigned char>(LargestDistance));
+    for (const vtkIdType offset : rows)
+    {
+      const unsigned char* other = out + offset;
+      for (int i = 0; i < dimensions[0]; ++i)
+      {
+        const unsigned char beside = std::min(other[i - 1], std::min(other[i], other[i + 1]));
+        nearest[i] = std::min(nearest[i], beside);
+      }
+    }
+    const int first = direction > 0 ? 0 : dimensions[0] - 1;
+    for (int i = first; i >= 0 && i < dimensions[0]; i += direction)
+    {
+      const int beside = 1 + std::min(nearest[i], out[i - direction]);
+      out[i] = static_cast<unsigned char>(std::min<int>(out[i], beside));
+    }
+  };
+  for (int k = 0; k < dimensions[2]; ++k)
+  {
+    for (int j = 0; j < dimensions[1]; ++j)
+    {
+      sweep(j, k, 1);
+    }
+  }
+  for (int k = dimensions[2] - 1; k >= 0; --k)
+  {
+    for (int j = dimensions[1] - 1; j >= 0; --j)
+    {
+      sweep(j, k, -1);
+    }
+  }
+  std::vector<unsigned char> distances(active.size());
+  for (int k = 0; k < dimensions[2]; ++k)
+  {
+    for (int j = 0; j < dimensions[1]; ++j)
+    {
+      std::copy_n(row(j, k), dimensions[0], distances.data() + plain(j, k));
+    }
+  }
+  return distances;
+}

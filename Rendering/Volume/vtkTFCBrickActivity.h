@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Which bricks of a packed image a transfer function can show, and how far it is to them.
+ *
+ * A brick is active when some region's 2D weight may be non-zero over the brick's range of the two
+ * axes and the region's tertiary opacity may be non-zero over its range of the tertiary attribute.
+ * No visible sample lies in an inactive brick; a few active bricks may turn out empty.
+ *
+ * Cost: a few comparisons per brick and region that is near; summed-area tables over the cells of
+ * the axes' unit square decide most bricks at once. Threaded. Memory: 1 byte a brick.
+ */
+
+#ifndef vtkTFCBrickActivity_h
+#define vtkTFCBrickActivity_h
+
+#include "vtkTFCBrickRanges.h"
+#include "vtkTFCCompiledModel.h"
+#include "vtkTFCShaderTables.h" // For vtkTFCStoredAttribute
+#include "vtkTFCVolumeModule.h" // For export macro
+
+#include <vector> // For the bricks
+
+namespace vtkTFCBrickActivity
+{
+/// Distances are cut here: a leap over more bricks at a time gains nothing.
+constexpr int LargestDistance = 31;
+
+/**
+ * For every brick 1 when it is active, else 0. `stored` says how the attributes of `model` are
+ * stored in the channels that `ranges` were taken of.
+ */
+VTKTFCVOLUME_EXPORT std::vector<unsigned char> Find(const vtkTFCBrickRanges& ranges,
+  const vtkTFCCompiledModel& model, const std::vector<vtkTFCStoredAttribute>& stored);
+
+/**
+ * For every brick the chessboard distance to the nearest active brick, in bricks: 0 for active
+ * ones, at most LargestDistance.
+ */
+VTKTFCVOLUME_EXPORT std::vector<unsigned char> FindDistances(
+  const std::vector<unsigned char>& active, const std::array<int, 3>& dimensions);
+}
+
+#endif
+// VTK-HeaderTest-Exclude: vtkTFCBrickActivity.h
