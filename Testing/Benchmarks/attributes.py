@@ -135,7 +135,11 @@ def run_row(row, peers, results, repeats, folder):
                 command, capture_output=True, check=True, text=True).stdout) * 1e-3
     elif row.call == "normals":
         peer = lambda: timed(lambda: normals(values))
-    elif not row.call.startswith("row:"):
+    elif row.call.startswith("row:"):
+        other = next(r for r in ROWS if r.name == row.call[4:])
+        other.filter.SetInputData(image)
+        peer = lambda: benchmarking.update(other.filter)
+    else:
         try:
             function = scipy_peer(row.call)
             peer = lambda: timed(lambda: function(values))

@@ -76,10 +76,6 @@ def compare(row, peer, missing, results, repeats, threads):
     os.environ["TFC_NUM_THREADS"] = "1"
     single = [update(row.filter) for _ in range(max(1, repeats // 2))]
     os.environ["TFC_NUM_THREADS"] = str(threads)
-    if row.call.startswith("row:"):
-        reference = results.get(row.call[4:])
-        other = [reference["mine"]] if reference else []
-        missing = None if reference else "not measured"
     results[row.name] = {
         "mine": median(mine), "peer": median(other) if other else None, "missing": missing,
         "single": median(single), "memory": peak_memory(row),
