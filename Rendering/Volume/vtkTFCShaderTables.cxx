@@ -150,6 +150,7 @@ int WriteFunction(const vtkTFCCompiledRegion& region, const vtkTFCStoredAttribut
   {
     const auto& nodes = region.TertiaryOpacity;
     std::vector<float> values; // as the shader compares them
+    values.reserve(nodes.size());
     for (const auto& node : nodes)
     {
       values.push_back(static_cast<float>((node[0] - stored.Offset) / stored.Scale));
@@ -240,8 +241,8 @@ std::vector<std::unique_ptr<vtkTFCPatch>> FitPatches(const vtkTFCCompiledModel& 
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         const auto& regions = members[cells[cell]];
-        const double x = static_cast<double>(cell % size);
-        const double y = static_cast<double>(cell / size);
+        const vtkIdType column = cell % size, row = cell / size;
+        const double x = static_cast<double>(column), y = static_cast<double>(row);
         vtkTFCPatch patch;
         if (!regions.empty() &&
           patch.Fit(model, regions, { x / size, (x + 1) / size, y / size, (y + 1) / size }))
@@ -322,6 +323,7 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
   }
   texels.reserve(texels.size() + RecordTexels * records);
   std::vector<std::vector<int>> members;
+  members.reserve(static_cast<size_t>(sets.GetNumberOfSets()));
   for (int set = 0; set < sets.GetNumberOfSets(); ++set)
   {
     members.push_back(
