@@ -10,35 +10,22 @@
 #ifndef vtkTFCBrickTexture_h
 #define vtkTFCBrickTexture_h
 
-#include "vtkSmartPointer.h" // For the texture
+#include "vtkTFCTexture3D.h"
 
 #include <array>  // For sizes
 #include <vector> // For the distances
 
 class vtkOpenGLRenderWindow;
-class vtkTextureObject;
-class vtkWindow;
 
-class vtkTFCBrickTexture
+class vtkTFCBrickTexture : public vtkTFCTexture3D
 {
 public:
-  vtkTFCBrickTexture();
-  ~vtkTFCBrickTexture();
-
   /// Upload `distances` when `generation` differs from the last upload or the context has changed.
   /// The context must be current. Returns false when the driver refuses.
   bool Upload(vtkOpenGLRenderWindow* context, const std::vector<unsigned char>& distances,
     const std::array<int, 3>& dimensions, unsigned int generation);
 
-  void Activate();
-  void Deactivate();
-  /// Texture unit while active.
-  int GetTextureUnit();
-
-  void ReleaseGraphicsResources(vtkWindow* window);
-
 private:
-  vtkSmartPointer<vtkTextureObject> Texture;
   unsigned int Generation = 0;
 };
 

@@ -11,36 +11,23 @@
 #ifndef vtkTFCPrimaryTexture_h
 #define vtkTFCPrimaryTexture_h
 
-#include "vtkSmartPointer.h" // For the texture
-#include "vtkType.h"         // For vtkMTimeType
+#include "vtkTFCTexture3D.h"
+#include "vtkType.h" // For vtkMTimeType
 
 #include <array> // For sizes
 
 class vtkFloatArray;
 class vtkOpenGLRenderWindow;
-class vtkTextureObject;
-class vtkWindow;
 
-class vtkTFCPrimaryTexture
+class vtkTFCPrimaryTexture : public vtkTFCTexture3D
 {
 public:
-  vtkTFCPrimaryTexture();
-  ~vtkTFCPrimaryTexture();
-
   /// Upload the first component of `packed`, as many tuples as `texels` says, when it or the
   /// context has changed. The context must be current. Returns false when the driver refuses.
   bool Upload(vtkOpenGLRenderWindow* context, vtkFloatArray* packed,
     const std::array<int, 3>& texels, bool linear);
 
-  void Activate();
-  void Deactivate();
-  /// Texture unit while active.
-  int GetTextureUnit();
-
-  void ReleaseGraphicsResources(vtkWindow* window);
-
 private:
-  vtkSmartPointer<vtkTextureObject> Texture;
   vtkFloatArray* Source = nullptr; // only compared
   vtkMTimeType SourceTime = 0;
 };

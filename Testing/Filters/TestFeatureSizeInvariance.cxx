@@ -56,16 +56,6 @@ void ExpectSameBits(const Result& result, const Result& expected)
     }
   }
 }
-
-/**
- * Sets TFC_SIMD while it lives.
- */
-class Simd
-{
-public:
-  explicit Simd(const char* level) { setenv("TFC_SIMD", level, 1); }
-  ~Simd() { unsetenv("TFC_SIMD"); }
-};
 }
 
 TEST(FeatureSizeInvariance, ThreadsAndRegisters)
@@ -77,7 +67,7 @@ TEST(FeatureSizeInvariance, ThreadsAndRegisters)
     Result expected;
     {
       const Threads threads(1);
-      const Simd simd("baseline");
+      const SimdLimit limit("baseline");
       expected = Measure(f, vtkTFCFeatureSize::BOTH);
     }
     // NaN is not equal to itself.
@@ -91,7 +81,7 @@ TEST(FeatureSizeInvariance, ThreadsAndRegisters)
       for (const char* level : { "baseline", "avx2", "avx512" })
       {
         const Threads threads(number);
-        const Simd simd(level);
+        const SimdLimit limit(level);
         Result result = Measure(f, vtkTFCFeatureSize::BOTH);
         for (vtkIdType i = 0; i < result.Sizes->GetNumberOfTuples(); ++i)
         {

@@ -108,16 +108,6 @@ void ExpectSame(const Results& results, const Results& other,
   }
   EXPECT_LE(differences, radius.size() / 1000);
 }
-
-/**
- * Sets TFC_SIMD while it lives.
- */
-class Simd
-{
-public:
-  explicit Simd(const char* level) { setenv("TFC_SIMD", level, 1); }
-  ~Simd() { unsetenv("TFC_SIMD"); }
-};
 }
 
 TEST(LocalStatistics, ArraysAndDefaults)
@@ -153,7 +143,7 @@ TEST(LocalStatistics, BitsDoNotDependOnThreadsOrInstructions)
     }
     for (const char* level : { "baseline", "avx2", "avx512" })
     {
-      const Simd simd(level);
+      const SimdLimit limit(level);
       EXPECT_TRUE(SameBits(expected, RunFilter(MakeFilter(5.), image))) << level;
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Golden values from an independent implementation in NumPy with the same counter-based noise.
+#include "FilterVolumes.h"
+
 #include "Filters/Kernels/TFCPhantom.h"
 #include "Filters/vtkTFCMaterialPhantom.h"
 
@@ -129,11 +131,10 @@ TEST(MaterialPhantom, SameBitsOnEveryProcessor)
   vtkNew<vtkTFCMaterialPhantom> phantoms[3];
   for (int i = 0; i < 3; ++i)
   {
-    setenv("TFC_SIMD", levels[i], 1);
+    const testing_volumes::SimdLimit limit(levels[i]);
     phantoms[i]->SetDimensions(301, 9, 8);
     phantoms[i]->Update();
   }
-  unsetenv("TFC_SIMD");
   for (vtkIdType j = 0; j < phantoms[0]->GetOutput()->GetNumberOfPoints(); ++j)
   {
     ASSERT_EQ(Intensity(phantoms[0])[j], Intensity(phantoms[1])[j]);
