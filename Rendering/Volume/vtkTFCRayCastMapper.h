@@ -36,7 +36,7 @@
 #include <vector> // For planes
 
 class vtkTFCBrickTexture;
-class vtkTFCPrimaryTexture;
+class vtkTFCGradientTexture;
 class vtkTFCTableTexture;
 class vtkOpenGLRenderWindow;
 class vtkVolumeProperty;
@@ -104,8 +104,9 @@ private:
   int BrickSize = 1;
   unsigned int BrickGeneration = 1;
   std::unique_ptr<vtkTFCBrickTexture> BrickTexture;
-  std::unique_ptr<vtkTFCPrimaryTexture> PrimaryTexture;
+  std::unique_ptr<vtkTFCGradientTexture> GradientTexture;
   Visibility Visible;
+  bool HasCropped = false; // other than a box: compiled only once it is needed
   double UnitDistance = 1;
 };
 

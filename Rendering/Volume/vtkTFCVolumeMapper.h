@@ -34,7 +34,7 @@
  *
  * Memory besides the input: 16 bytes a voxel on the CPU and 16 on the GPU, half of that as long as
  * no region has a tertiary attribute of its own; for skipping empty space 0.5 on the CPU; with
- * shading 4 more on the GPU. The transfer function takes some 100 KB, at most 20 MB.
+ * shading 8 more on the GPU. The transfer function takes some 100 KB, at most 20 MB.
  *
  * It derives from vtkMultiBlockVolumeMapper because ParaView's vtkPVLODVolume renders no other
  * mapper without selected scalars.
