@@ -256,7 +256,7 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
       this->GradientTexture->GetTextureUnit());
   }
   InstallReplacements(vol->GetShaderProperty(),
-    MakeDefinitions(this->Tables.FeaturesUsed, this->HasCropped, shaded));
+    MakeDefinitions(this->Features | this->Tables.FeaturesUsed, this->HasCropped, shaded));
   this->SetUniforms(vol);
   this->Superclass::GPURender(ren, vol);
   if (shaded)

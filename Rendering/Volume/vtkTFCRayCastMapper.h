@@ -68,6 +68,9 @@ public:
   /// The classification. `generation` must grow with every change.
   void SetTables(const vtkTFCShaderTables& tables, unsigned int generation);
 
+  /// What the shader is compiled for; at least what the tables use.
+  void SetFeatures(unsigned int features) { this->Features = features; }
+
   /// The distances of vtkTFCBrickActivity for the input; before the first frame.
   void SetBricks(std::vector<unsigned char> distances, const std::array<int, 3>& dimensions,
     int brickSize);
@@ -98,6 +101,7 @@ private:
 
   vtkTFCShaderTables Tables;
   unsigned int TablesGeneration = 0;
+  unsigned int Features = 0;
   std::unique_ptr<vtkTFCTableTexture> Texture;
   std::vector<unsigned char> BrickDistances = { 0 };
   std::array<int, 3> BrickDimensions = { 1, 1, 1 };
