@@ -3,6 +3,8 @@
 #include "vtkTFCCombinationScore.h"
 
 #include "Kernels/TFCScore.h"
+#include "vtkTFCAttributeInformation.h"
+#include "vtkTFCAttributeSamples.h"
 #include "vtkTFCAttributeStatistics.h"
 #include "vtkTFCDistributedImage.h"
 
@@ -16,7 +18,6 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -47,6 +49,40 @@ int FindLabel(const std::vector<Attribute>& attributes, const std::string& label
   const auto found = std::find_if(attributes.begin(), attributes.end(),
     [&](const Attribute& attribute) { return attribute.Label == label; });
   return found == attributes.end() ? -1 : static_cast<int>(found - attributes.begin());
+}
+
+//------------------------------------------------------------------------------
+/**
+ * The attributes to compare, the axes among them, or what is wrong.
+ */
+std::string FindAttributes(vtkDataSet* data, std::vector<std::string> wanted,
+  const std::vector<std::string>& axes, std::vector<Attribute>& attributes, int& association)
+{
+  if (wanted.empty())
+  {
+    std::string problem = vtkTFCAttributeSamples::Find(data, {}, attributes, association);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    for (const Attribute& attribute : attributes)
+    {
+      wanted.push_back(attribute.Label);
+    }
+  }
+  wanted.insert(wanted.end(), axes.begin(), axes.end());
+  std::vector<vtkTFCAttributeSamples::Request> requests;
+  for (const std::string& name : wanted)
+  {
+    const bool known = std::any_of(requests.begin(), requests.end(),
+      [&](const vtkTFCAttributeSamples::Request& request) { return request.Name == name; });
+    // Lists of all arrays, such as ParaView's, contain the flags: they are no data.
+    if (!known && name != vtkDataSetAttributes::GhostArrayName())
+    {
+      requests.push_back({ name });
+    }
+  }
+  return vtkTFCAttributeSamples::Find(data, requests, attributes, association);
 }
 
 //------------------------------------------------------------------------------
@@ -123,6 +159,28 @@ void AddColumn(vtkTable* table, const char* name, const std::vector<Value>& valu
   }
   table->AddColumn(column);
 }
+
+//------------------------------------------------------------------------------
+void AddInformation(const std::vector<int>& rows, const std::vector<tfc::Information>& information,
+  int primary, int secondary, vtkTable* table)
+{
+  std::vector<double> columns[4];
+  for (const int i : rows)
+  {
+    const tfc::Information& info = information[static_cast<size_t>(i)];
+    const bool measured = i != primary && i != secondary && info.Samples > 0.;
+    const double separation = info.Entropy > 0. ? info.New / info.Entropy : 0.;
+    const double values[4] = { info.Mutual, info.ConditionalMutual, info.New, separation };
+    for (int c = 0; c < 4; ++c)
+    {
+      columns[c].push_back(measured ? values[c] : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  AddColumn<vtkDoubleArray>(table, "mutual_information", columns[0]);
+  AddColumn<vtkDoubleArray>(table, "conditional_mutual_information", columns[1]);
+  AddColumn<vtkDoubleArray>(table, "new_information", columns[2]);
+  AddColumn<vtkDoubleArray>(table, "separation", columns[3]);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -186,30 +244,41 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
   const bool isEmpty = input->GetNumberOfPoints() == 0;
   std::string problem;
   std::vector<Attribute> attributes;
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  std::vector<std::string> axes;
+  for (const char* axis : { this->Primary, this->Secondary })
+  {
+    if (IsSet(axis))
+    {
+      axes.emplace_back(axis);
+    }
+  }
   if (!(this->Balance >= 0. && this->Balance < 1.))
   {
     problem = "Balance is " + std::to_string(this->Balance) + ". Set it to 0 or more, below 1.";
   }
-  else if (this->NumberOfBins < 2 || this->NumberOfBins > 65536)
+  else if (this->NumberOfBins < 0 || this->NumberOfBins == 1 || this->NumberOfBins > 65536)
   {
-    problem = "NumberOfBins is " + std::to_string(this->NumberOfBins) + ". Set it to 2 to 65536.";
+    problem = "NumberOfBins is " + std::to_string(this->NumberOfBins) +
+      ". Set it to 2 to 65536, or to 0 for as many as the values have bits for.";
   }
   else if (!isEmpty)
   {
-    problem = this->FindAttributes(input->GetPointData(), attributes);
+    problem = FindAttributes(input, this->Arrays, axes, attributes, association);
   }
 
   // From here on every process takes the same way, whatever it found.
-  const vtkTFCDistributedImage image(input, vtkDataObject::FIELD_ASSOCIATION_POINTS,
-    this->Controller);
+  double kind = isEmpty ? -1. : association;
+  vtkTFCDistributedImage(input, 0, this->Controller).Maximum(&kind, 1);
+  const vtkTFCDistributedImage image(input, std::max(0, static_cast<int>(kind)), this->Controller);
   if (!image.Any(!isEmpty) && problem.empty())
   {
     problem = "The input is empty. Connect a volume with at least one point.";
   }
   const std::string shared = image.ShareText(!isEmpty, Describe(attributes));
-  if (problem.empty() && !isEmpty && shared != Describe(attributes))
+  if (problem.empty() && !isEmpty && (shared != Describe(attributes) || kind != association))
   {
-    problem = "The processes hold different point arrays, or in another order. List those that all "
+    problem = "The processes hold different arrays, or in another order. List those that all "
               "have in Arrays.";
   }
   if (!image.All(problem.empty()))
@@ -226,15 +295,20 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
     attributes = FromDescription(shared);
   }
 
+  const int primary = IsSet(this->Primary) ? std::max(0, FindLabel(attributes, this->Primary)) : 0;
+  const int secondary = IsSet(this->Secondary) ? FindLabel(attributes, this->Secondary) : -1;
+  const vtkTFCAttributeSamples samples(input, image.GetAssociation(), attributes,
+    image.GetOwnedSamples(), this->FillValues);
   vtkTFCAttributeStatistics::Result statistics;
-  if (!vtkTFCAttributeStatistics::Compute(input, image, attributes, this->FillValues,
-        this->NumberOfBins, this, statistics))
+  std::vector<tfc::Information> information;
+  if (!vtkTFCAttributeStatistics::Compute(samples, image, attributes, this->NumberOfBins, this,
+        statistics) ||
+    (this->MeasureInformation &&
+      !vtkTFCAttributeInformation::Compute(samples, image, statistics.Summaries, primary, secondary,
+        this, information)))
   {
     return 1;
   }
-
-  const int primary = IsSet(this->Primary) ? std::max(0, FindLabel(attributes, this->Primary)) : 0;
-  const int secondary = IsSet(this->Secondary) ? FindLabel(attributes, this->Secondary) : -1;
   const tfc::Scores scores = tfc::CombinationScores(statistics.Correlations, statistics.Entropies,
     this->Balance, primary, secondary);
 
@@ -276,6 +350,10 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
   AddColumn<vtkDoubleArray>(table, "entropy", entropies);
   AddColumn<vtkDoubleArray>(table, "score", values);
   AddColumn<vtkIntArray>(table, "rank", ranks);
+  if (this->MeasureInformation)
+  {
+    AddInformation(order, information, primary, secondary, table);
+  }
 
   vtkTable* matrix = vtkTable::GetData(outputVector, 1);
   names.clear();
@@ -323,48 +401,6 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTFCCombinationScore::FindAttributes(vtkPointData* points,
-  std::vector<Attribute>& attributes) const
-{
-  std::vector<std::string> wanted = this->Arrays;
-  if (wanted.empty())
-  {
-    attributes = vtkTFCAttributeStatistics::FindAll(points);
-  }
-  for (const char* axis : { this->Primary, this->Secondary })
-  {
-    if (IsSet(axis))
-    {
-      wanted.emplace_back(axis);
-    }
-  }
-  for (const std::string& name : wanted)
-  {
-    // Lists of all arrays, such as ParaView's, contain the flags: they are no data.
-    if (name == vtkDataSetAttributes::GhostArrayName())
-    {
-      continue;
-    }
-    Attribute attribute;
-    std::string problem = vtkTFCAttributeStatistics::Find(points, name, attribute);
-    if (!problem.empty())
-    {
-      return problem;
-    }
-    if (FindLabel(attributes, name) < 0)
-    {
-      attributes.push_back(attribute);
-    }
-  }
-  if (attributes.empty())
-  {
-    return "The input has no numeric single-component point array. Apply the filter Cell Data to "
-           "Point Data first, or name components in Arrays, such as 'velocity:0'.";
-  }
-  return {};
-}
-
-//------------------------------------------------------------------------------
 void vtkTFCCombinationScore::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -377,6 +413,7 @@ void vtkTFCCombinationScore::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Secondary: " << (this->Secondary ? this->Secondary : "") << "\n";
   os << indent << "Balance: " << this->Balance << "\n";
   os << indent << "NumberOfBins: " << this->NumberOfBins << "\n";
+  os << indent << "MeasureInformation: " << this->MeasureInformation << "\n";
   os << indent << "TablesOnAllProcesses: " << this->TablesOnAllProcesses << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

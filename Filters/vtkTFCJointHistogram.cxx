@@ -231,7 +231,7 @@ std::string vtkTFCJointHistogram::Compute(const std::vector<vtkDataSet*>& blocks
     {
       problem = "The arrays are of points in some blocks and of cells in others. Use one of both.";
     }
-    association = found;
+    association = problem.empty() ? found : -1;
   }
 
   // From here on every process takes the same way, whatever it found.
