@@ -53,10 +53,12 @@ int FindLabel(const std::vector<Attribute>& attributes, const std::string& label
 
 //------------------------------------------------------------------------------
 /**
- * The attributes to compare, the axes among them, or what is wrong.
+ * The attributes to compare, the axes among them, or what is wrong. `others` names those that are
+ * left out because they are of cells and the first one of points, or the other way round.
  */
 std::string FindAttributes(vtkDataSet* data, std::vector<std::string> wanted,
-  const std::vector<std::string>& axes, std::vector<Attribute>& attributes, int& association)
+  const std::vector<std::string>& axes, std::vector<Attribute>& attributes, int& association,
+  std::string& others)
 {
   if (wanted.empty())
   {
@@ -70,9 +72,11 @@ std::string FindAttributes(vtkDataSet* data, std::vector<std::string> wanted,
       wanted.push_back(attribute.Label);
     }
   }
-  wanted.insert(wanted.end(), axes.begin(), axes.end());
+  const auto exists = [&](const std::vector<vtkTFCAttributeSamples::Request>& requests)
+  { return vtkTFCAttributeSamples::Find(data, requests, attributes, association).empty(); };
+  const std::string first = axes.empty() ? wanted.front() : axes.front();
   std::vector<vtkTFCAttributeSamples::Request> requests;
-  for (const std::string& name : wanted)
+  const auto add = [&](const std::string& name)
   {
     const bool known = std::any_of(requests.begin(), requests.end(),
       [&](const vtkTFCAttributeSamples::Request& request) { return request.Name == name; });
@@ -81,7 +85,19 @@ std::string FindAttributes(vtkDataSet* data, std::vector<std::string> wanted,
     {
       requests.push_back({ name });
     }
+  };
+  for (const std::string& name : wanted)
+  {
+    if (exists({ { first } }) && exists({ { name } }) && !exists({ { first }, { name } }))
+    {
+      others += (others.empty() ? "'" : ", '") + name + "'";
+    }
+    else
+    {
+      add(name);
+    }
   }
+  std::for_each(axes.begin(), axes.end(), add);
   return vtkTFCAttributeSamples::Find(data, requests, attributes, association);
 }
 
@@ -264,7 +280,13 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
   }
   else if (!isEmpty)
   {
-    problem = FindAttributes(input, this->Arrays, axes, attributes, association);
+    std::string others;
+    problem = FindAttributes(input, this->Arrays, axes, attributes, association, others);
+    if (problem.empty() && !others.empty())
+    {
+      vtkWarningMacro("Arrays of points and of cells cannot be compared. Left out: "
+        << others << ". Convert them with Cell Data to Point Data, or take them off Arrays.");
+    }
   }
 
   // From here on every process takes the same way, whatever it found.

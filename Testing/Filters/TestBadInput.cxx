@@ -246,6 +246,20 @@ TEST(BadInput, ScoreParametersAndArrays)
   filter->SetPrimary("a");
   filter->SetSecondary("c");
   ExpectNoScores(filter.Get(), mixed, "'c' is a cell array");
+  // In a list of arrays, such as ParaView's default, it is left out.
+  vtkNew<vtkTFCCombinationScore> ofMixed;
+  std::string warning;
+  vtkNew<vtkCallbackCommand> listen;
+  listen->SetClientData(&warning);
+  listen->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
+    { *static_cast<std::string*>(text) += static_cast<const char*>(message); });
+  ofMixed->AddObserver(vtkCommand::WarningEvent, listen);
+  ofMixed->SetInputData(mixed);
+  ofMixed->AddArray("a");
+  ofMixed->AddArray("c");
+  ofMixed->Update();
+  EXPECT_EQ(ofMixed->GetOutput()->GetNumberOfRows(), 1);
+  EXPECT_NE(warning.find("Left out: 'c'"), std::string::npos) << warning;
   mixed->GetPointData()->AddArray(MakeArray("short", 2, 2, 2, Noise));
   filter->SetSecondary("short");
   ExpectNoScores(filter.Get(), mixed, "'short' has 8 values for 64 points");

@@ -49,7 +49,7 @@ raises(KeyError, lambda: tfc.score(source, "RTData", secondary="W:0"), "'W'")
 raises(ValueError, lambda: tfc.score(source, "RTData", balance=2), "Balance")
 raises(ValueError, lambda: tfc.score(source, "V"), "'V:0'", "magnitude")
 cells = simple.PointDatatoCellData(Input=source)
-raises(ValueError, lambda: tfc.score(cells, "RTData"), "Cell Data to Point Data")
+check([r.attribute for r in tfc.score(cells, "RTData", arrays=["R"])] == ["R", "RTData"], "cells")
 check(not simple.FindSource("tfc.score"), "nothing stays in the pipeline after errors")
 
 intervals = tfc.stability(source, "RTData", "R")
