@@ -19,6 +19,7 @@ using vtkTFCAttributeStatistics::Attribute;
 using vtkTFCAttributeStatistics::Summary;
 
 constexpr vtkIdType ChunkSize = Reader::ChunkSize;
+constexpr int WidestMerge = 8;
 
 //------------------------------------------------------------------------------
 /**
@@ -181,12 +182,22 @@ bool Compute(const vtkTFCAttributeSamples& samples, const vtkTFCDistributedImage
     return false;
   }
   result.Correlations = tfc::CorrelationMatrix(pairs, constant);
-  result.Entropies.clear();
-  for (const auto& histogram : histograms)
+  result.CoarseEntropies.clear();
+  for (int width = 1; width <= WidestMerge; width *= 2)
   {
-    result.Entropies.push_back(
-      tfc::Entropy(histogram.data(), static_cast<tfc::Index>(histogram.size())));
+    std::vector<double> entropies;
+    for (auto& histogram : histograms)
+    {
+      if (width > 1)
+      {
+        tfc::MergeBins(histogram);
+      }
+      entropies.push_back(
+        tfc::Entropy(histogram.data(), static_cast<tfc::Index>(histogram.size())));
+    }
+    result.CoarseEntropies.push_back(entropies);
   }
+  result.Entropies = result.CoarseEntropies.front();
   return true;
 }
 }

@@ -34,6 +34,8 @@ struct Result
   std::vector<Summary> Summaries;
   std::vector<double> Correlations; ///< row-major matrix; NaN for constant attributes
   std::vector<double> Entropies;    ///< bits; 0 for constant attributes
+  /// Entropies with 1, 2, 4 and 8 neighbouring bins taken as one.
+  std::vector<std::vector<double>> CoarseEntropies;
 };
 
 ///@{

@@ -3,13 +3,13 @@
 #include "vtkTFCCombinationScore.h"
 
 #include "Kernels/TFCScore.h"
+#include "vtkTFCAttributeAgreement.h"
 #include "vtkTFCAttributeInformation.h"
 #include "vtkTFCAttributeSamples.h"
 #include "vtkTFCAttributeStatistics.h"
 #include "vtkTFCDistributedImage.h"
 
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -53,86 +53,6 @@ int FindLabel(const std::vector<Attribute>& attributes, const std::string& label
 
 //------------------------------------------------------------------------------
 /**
- * The attributes to compare, the axes among them, or what is wrong. `others` names those that are
- * left out because they are of cells and the first one of points, or the other way round.
- */
-std::string FindAttributes(vtkDataSet* data, std::vector<std::string> wanted,
-  const std::vector<std::string>& axes, std::vector<Attribute>& attributes, int& association,
-  std::string& others)
-{
-  if (wanted.empty())
-  {
-    std::string problem = vtkTFCAttributeSamples::Find(data, {}, attributes, association);
-    if (!problem.empty())
-    {
-      return problem;
-    }
-    for (const Attribute& attribute : attributes)
-    {
-      wanted.push_back(attribute.Label);
-    }
-  }
-  const auto exists = [&](const std::vector<vtkTFCAttributeSamples::Request>& requests)
-  { return vtkTFCAttributeSamples::Find(data, requests, attributes, association).empty(); };
-  const std::string first = axes.empty() ? wanted.front() : axes.front();
-  std::vector<vtkTFCAttributeSamples::Request> requests;
-  const auto add = [&](const std::string& name)
-  {
-    const bool known = std::any_of(requests.begin(), requests.end(),
-      [&](const vtkTFCAttributeSamples::Request& request) { return request.Name == name; });
-    // Lists of all arrays, such as ParaView's, contain the flags: they are no data.
-    if (!known && name != vtkDataSetAttributes::GhostArrayName())
-    {
-      requests.push_back({ name });
-    }
-  };
-  for (const std::string& name : wanted)
-  {
-    if (exists({ { first } }) && exists({ { name } }) && !exists({ { first }, { name } }))
-    {
-      others += (others.empty() ? "'" : ", '") + name + "'";
-    }
-    else
-    {
-      add(name);
-    }
-  }
-  std::for_each(axes.begin(), axes.end(), add);
-  return vtkTFCAttributeSamples::Find(data, requests, attributes, association);
-}
-
-//------------------------------------------------------------------------------
-/**
- * What processes must agree on, as one text, and back. Line feeds end entries.
- */
-std::string Describe(const std::vector<Attribute>& attributes)
-{
-  std::string text;
-  for (const Attribute& attribute : attributes)
-  {
-    text += (attribute.Integer ? "i" : "f") + attribute.Label + '\n';
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
-std::vector<Attribute> FromDescription(const std::string& text)
-{
-  std::vector<Attribute> attributes;
-  for (size_t begin = 0; begin < text.size();)
-  {
-    const size_t end = text.find('\n', begin);
-    Attribute attribute;
-    attribute.Integer = text[begin] == 'i';
-    attribute.Label = text.substr(begin + 1, end - begin - 1);
-    attributes.push_back(attribute);
-    begin = end + 1;
-  }
-  return attributes;
-}
-
-//------------------------------------------------------------------------------
-/**
  * Which attributes are first, as a sentence.
  */
 std::string MakeSentence(const std::vector<tfc::RankingInterval>& intervals,
@@ -161,6 +81,48 @@ std::string MakeSentence(const std::vector<tfc::RankingInterval>& intervals,
     i = last + 1;
   }
   return text.empty() ? "no attribute is a candidate" : text;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * The candidates, best first.
+ */
+std::string MakeRanking(const std::vector<int>& ranks, const std::vector<Attribute>& attributes)
+{
+  std::string text;
+  for (int rank = 1; rank <= static_cast<int>(ranks.size()); ++rank)
+  {
+    const auto found = std::find(ranks.begin(), ranks.end(), rank);
+    text += found == ranks.end()
+      ? ""
+      : (rank > 1 ? ", " : "") + attributes[static_cast<size_t>(found - ranks.begin())].Label;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Whether the ranking depends on the bins, as the rest of a sentence.
+ */
+std::string MakeBinSentence(double balance, const std::vector<std::string>& rankings)
+{
+  if (rankings.empty() || rankings[0].empty())
+  {
+    return {};
+  }
+  char text[96];
+  const auto other = std::find_if(rankings.begin(), rankings.end(),
+    [&](const std::string& ranking) { return ranking != rankings[0]; });
+  if (other == rankings.end())
+  {
+    std::snprintf(text, sizeof(text), "; for a = %.3g bins up to %d times as wide rank alike",
+      balance, 1 << (rankings.size() - 1));
+    return text;
+  }
+  std::snprintf(text, sizeof(text),
+    "; for a = %.3g bins %d times as wide rank differently: ", balance,
+    1 << (other - rankings.begin()));
+  return text + *other;
 }
 
 //------------------------------------------------------------------------------
@@ -202,7 +164,7 @@ void AddInformation(const std::vector<int>& rows, const std::vector<tfc::Informa
 //------------------------------------------------------------------------------
 vtkTFCCombinationScore::vtkTFCCombinationScore()
 {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
@@ -257,10 +219,6 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
   vtkInformationVector* outputVector)
 {
   vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
-  const bool isEmpty = input->GetNumberOfPoints() == 0;
-  std::string problem;
-  std::vector<Attribute> attributes;
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   std::vector<std::string> axes;
   for (const char* axis : { this->Primary, this->Secondary })
   {
@@ -269,53 +227,20 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
       axes.emplace_back(axis);
     }
   }
-  if (!(this->Balance >= 0. && this->Balance < 1.))
+  vtkTFCAttributeAgreement agreement(this->Controller);
+  agreement.CheckScoring(this->Balance, this->NumberOfBins);
+  const bool agreed = agreement.Find(input, this->Arrays, axes);
+  if (!agreement.GetWarning().empty())
   {
-    problem = "Balance is " + std::to_string(this->Balance) + ". Set it to 0 or more, below 1.";
+    vtkWarningMacro(<< agreement.GetWarning());
   }
-  else if (this->NumberOfBins < 0 || this->NumberOfBins == 1 || this->NumberOfBins > 65536)
+  if (!agreed)
   {
-    problem = "NumberOfBins is " + std::to_string(this->NumberOfBins) +
-      ". Set it to 2 to 65536, or to 0 for as many as the values have bits for.";
-  }
-  else if (!isEmpty)
-  {
-    std::string others;
-    problem = FindAttributes(input, this->Arrays, axes, attributes, association, others);
-    if (problem.empty() && !others.empty())
-    {
-      vtkWarningMacro("Arrays of points and of cells cannot be compared. Left out: "
-        << others << ". Convert them with Cell Data to Point Data, or take them off Arrays.");
-    }
-  }
-
-  // From here on every process takes the same way, whatever it found.
-  double kind = isEmpty ? -1. : association;
-  vtkTFCDistributedImage(input, 0, this->Controller).Maximum(&kind, 1);
-  const vtkTFCDistributedImage image(input, std::max(0, static_cast<int>(kind)), this->Controller);
-  if (!image.Any(!isEmpty) && problem.empty())
-  {
-    problem = "The input is empty. Connect a volume with at least one point.";
-  }
-  const std::string shared = image.ShareText(!isEmpty, Describe(attributes));
-  if (problem.empty() && !isEmpty && (shared != Describe(attributes) || kind != association))
-  {
-    problem = "The processes hold different arrays, or in another order. List those that all "
-              "have in Arrays.";
-  }
-  if (!image.All(problem.empty()))
-  {
-    vtkErrorMacro(<< (problem.empty()
-                         ? "Another process cannot use its piece of the input: see the "
-                           "message there."
-                         : problem)
-                  << " No scores were computed.");
+    vtkErrorMacro(<< agreement.GetProblem() << " No scores were computed.");
     return 1;
   }
-  if (isEmpty)
-  {
-    attributes = FromDescription(shared);
-  }
+  const std::vector<Attribute>& attributes = agreement.GetAttributes();
+  const vtkTFCDistributedImage& image = agreement.GetImage();
 
   const int primary = IsSet(this->Primary) ? std::max(0, FindLabel(attributes, this->Primary)) : 0;
   const int secondary = IsSet(this->Secondary) ? FindLabel(attributes, this->Secondary) : -1;
@@ -415,9 +340,27 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
   AddColumn<vtkDoubleArray>(stability, "from", from);
   AddColumn<vtkDoubleArray>(stability, "to", to);
   AddColumn<vtkStringArray>(stability, "ranking", names);
+  std::vector<int> merged;
+  std::vector<std::string> rankings;
+  for (size_t c = 0; c < statistics.CoarseEntropies.size(); ++c)
+  {
+    const tfc::Scores coarse = tfc::CombinationScores(statistics.Correlations,
+      statistics.CoarseEntropies[c], this->Balance, primary, secondary);
+    merged.push_back(1 << c);
+    rankings.push_back(MakeRanking(coarse.Rank, attributes));
+  }
   vtkNew<vtkStringArray> sentence;
   sentence->SetName("summary");
-  sentence->InsertNextValue(MakeSentence(intervals, attributes));
+  sentence->InsertNextValue(
+    MakeSentence(intervals, attributes) + MakeBinSentence(this->Balance, rankings));
+  if (order.empty())
+  {
+    merged.clear();
+    rankings.clear();
+  }
+  vtkTable* overBins = vtkTable::GetData(outputVector, 3);
+  AddColumn<vtkIntArray>(overBins, "merged_bins", merged);
+  AddColumn<vtkStringArray>(overBins, "ranking", rankings);
   stability->GetFieldData()->AddArray(sentence);
   return 1;
 }

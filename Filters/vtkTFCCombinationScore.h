@@ -12,7 +12,9 @@
  * `attribute` and one column per attribute; NaN for constant attributes. Port 2, table "Stability":
  * how the ranking depends on the balance a: `from` and `to`, an interval of a, and `ranking`, the
  * candidates in it, best first; the field data array `summary` says it in a sentence, such as
- * "occlusion is first for a < 0.72, radius is first for a > 0.72".
+ * "occlusion is first for a < 0.72, radius is first for a > 0.72", and whether wider bins rank
+ * otherwise. Port 3, table "Stability over bins": `merged_bins` (1, 2, 4, 8: so many neighbouring
+ * bins are taken as one for the entropies) and `ranking`, for the given a.
  *
  * Further columns of the scores, unless MeasureInformation is off, say what Pearson's R cannot:
  * with T the attribute and X, Y the axes (only X without a secondary one), all in bits of coarse

@@ -108,6 +108,19 @@ private:
 };
 
 /**
+ * Take pairs of neighbouring bins as one.
+ */
+inline void MergeBins(std::vector<std::int64_t>& counts)
+{
+  const std::size_t half = (counts.size() + 1) / 2;
+  for (std::size_t b = 0; b < half; ++b)
+  {
+    counts[b] = counts[2 * b] + (2 * b + 1 < counts.size() ? counts[2 * b + 1] : 0);
+  }
+  counts.resize(half);
+}
+
+/**
  * Entropy of a histogram in bits; 0 when it is empty.
  */
 inline double Entropy(const std::int64_t* counts, Index bins)
