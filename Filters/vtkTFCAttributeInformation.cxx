@@ -3,6 +3,7 @@
 #include "vtkTFCAttributeInformation.h"
 
 #include "vtkTFCDistributedImage.h"
+#include "vtkTFCSimd.h"
 #include "vtkTFCThreads.h"
 
 #include <algorithm>
@@ -21,19 +22,23 @@ using Samples = vtkTFCAttributeSamples;
  */
 struct Workspace
 {
-  Workspace(size_t attributes, int bins)
+  Workspace(const std::vector<bool>& candidates, int bins)
     : Cells(static_cast<size_t>(bins) * bins * bins)
     , Values(Samples::ChunkSize)
     , Axis(Samples::ChunkSize)
     , Plane(Samples::ChunkSize)
-    , Counts(attributes, std::vector<std::uint32_t>(2 * (Cells + 1), 0))
+    , Counts(candidates.size())
   {
+    for (size_t i = 0; i < candidates.size(); ++i)
+    {
+      this->Counts[i].resize(candidates[i] ? 2 * (this->Cells + 1) : 0, 0);
+    }
   }
 
   size_t Cells;
   std::vector<double> Values;
   std::vector<std::int32_t> Axis, Plane;
-  std::vector<std::vector<std::uint32_t>> Counts; // per attribute
+  std::vector<std::vector<std::uint32_t>> Counts; // per attribute; none for the axes
 };
 
 //------------------------------------------------------------------------------
@@ -112,16 +117,28 @@ bool Compute(const vtkTFCAttributeSamples& samples, const vtkTFCDistributedImage
   const int bins = tfc::GetInformationBins(summaries[static_cast<size_t>(primary)].Count);
   const Counter counter(samples, summaries, primary, secondary, bins);
   const size_t cells = static_cast<size_t>(bins) * bins * bins;
-  std::vector<std::int64_t> counts(k * cells, 0);
+  std::vector<bool> candidates(k, true);
+  for (const int axis : { primary, secondary })
+  {
+    if (axis >= 0)
+    {
+      candidates[static_cast<size_t>(axis)] = false;
+    }
+  }
+  std::vector<std::vector<std::int64_t>> counts(k);
+  for (size_t i = 0; i < k; ++i)
+  {
+    counts[i].resize(candidates[i] ? cells : 0, 0);
+  }
   std::vector<std::unique_ptr<Workspace>> idle;
   std::mutex exchanging;
   const auto flush = [&](Workspace& work)
   {
     for (size_t i = 0; i < k; ++i)
     {
-      for (size_t cell = 0; cell < cells; ++cell)
+      for (size_t cell = 0; cell < counts[i].size(); ++cell)
       {
-        counts[i * cells + cell] +=
+        counts[i][cell] +=
           std::int64_t{ work.Counts[i][cell] } + std::int64_t{ work.Counts[i][cells + 1 + cell] };
       }
       std::fill(work.Counts[i].begin(), work.Counts[i].end(), 0);
@@ -137,29 +154,30 @@ bool Compute(const vtkTFCAttributeSamples& samples, const vtkTFCDistributedImage
     done = vtkTFCThreads::ForWithProgress(part, last, 1, owner,
       static_cast<double>(part) / static_cast<double>(blocks),
       static_cast<double>(last) / static_cast<double>(blocks),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        std::unique_ptr<Workspace> work;
+      vtkTFCSimd::Vectorize(
+        [&](vtkIdType begin, vtkIdType end)
         {
-          const std::lock_guard<std::mutex> lock(exchanging);
-          if (!idle.empty())
+          std::unique_ptr<Workspace> work;
           {
-            work = std::move(idle.back());
-            idle.pop_back();
+            const std::lock_guard<std::mutex> lock(exchanging);
+            if (!idle.empty())
+            {
+              work = std::move(idle.back());
+              idle.pop_back();
+            }
           }
-        }
-        if (!work)
-        {
-          work = std::make_unique<Workspace>(k, bins);
-        }
-        for (vtkIdType block = begin; block < end; ++block)
-        {
-          samples.ForChunks(block,
-            [&](vtkIdType first, vtkIdType count) { counter.Run(first, count, *work); });
-        }
-        const std::lock_guard<std::mutex> lock(exchanging);
-        idle.push_back(std::move(work));
-      });
+          if (!work)
+          {
+            work = std::make_unique<Workspace>(candidates, bins);
+          }
+          for (vtkIdType block = begin; block < end; ++block)
+          {
+            samples.ForChunks(block,
+              [&](vtkIdType first, vtkIdType count) { counter.Run(first, count, *work); });
+          }
+          const std::lock_guard<std::mutex> lock(exchanging);
+          idle.push_back(std::move(work));
+        }));
     for (const auto& work : idle)
     {
       flush(*work);
@@ -169,12 +187,14 @@ bool Compute(const vtkTFCAttributeSamples& samples, const vtkTFCDistributedImage
   {
     return false;
   }
-  image.Sum(counts.data(), static_cast<vtkIdType>(counts.size()));
   result.assign(k, tfc::Information());
   for (size_t i = 0; i < k; ++i)
   {
-    const auto at = counts.begin() + static_cast<std::ptrdiff_t>(i * cells);
-    result[i] = tfc::MeasureInformation({ at, at + static_cast<std::ptrdiff_t>(cells) }, bins);
+    if (candidates[i])
+    {
+      image.Sum(counts[i].data(), static_cast<vtkIdType>(cells));
+      result[i] = tfc::MeasureInformation(counts[i], bins);
+    }
   }
   return true;
 }
