@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 import scripttest
 
-from tfc.vtk.vtkTFCFilters import vtkTFCCombinationScore
+from tfc.vtk.vtkTFCFilters import vtkTFCAxisSuggestion, vtkTFCCombinationScore
 
 scripttest.load_plugin(globals())
 rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
@@ -54,6 +54,22 @@ def rows(data, alone=False):
     return scripttest.table(score.GetOutputDataObject(0), COLUMNS)
 
 
+def suggestions(data, alone=False):
+    """(texts, numbers) of the proposed axes and their tertiary attributes."""
+    filter = vtkTFCAxisSuggestion()
+    if alone:
+        filter.SetController(vtkDummyController())
+    filter.SetInputData(data)
+    filter.AddFillValue(1e35)
+    filter.Update()
+    table = filter.GetOutputDataObject(0)
+    values = [[table.GetValueByName(row, name) for row in range(table.GetNumberOfRows())]
+              for name in ("primary", "secondary", "tertiary", "pair_score", "score",
+                           "new_information")]
+    return ([[v.ToString() for v in column] for column in values[:3]],
+            [[v.ToDouble() for v in column] for column in values[3:]])
+
+
 source = Wavelet(WholeExtent=list(WHOLE))
 source.UpdatePipeline()
 piece = source.GetClientSideObject().GetOutputDataObject(0)
@@ -66,5 +82,9 @@ for cells in (False, True):
     scripttest.check_close([r[1:] for r in found], [r[1:] for r in expected], 1e-12,
                            "process %d, %s" % (rank, "cells" if cells else "points"))
     scripttest.check(expected[0][7] > 0.1, "there is information")
+    texts, numbers = suggestions(fill(piece, cells))
+    expected = suggestions(fill(whole, cells), alone=True)
+    scripttest.check(texts == expected[0] and len(texts[0]) == 6, "the same suggestions")
+    scripttest.check_close(numbers, expected[1], 1e-12, "with the same numbers")
 vtkMultiProcessController.GetGlobalController().Barrier()
 sys.stdout.flush()
