@@ -9,8 +9,9 @@ usage() {
   cat <<'TEXT'
 usage: Utilities/benchmark.sh [NAME [ARGUMENTS]]
 
-Runs the benchmark NAME, or all of them: advice, attributes, volume. Its table goes to the terminal and
-to its section of Testing/Benchmarks/RESULTS.md. Exit status 1: a ratio is above its limit.
+Runs the benchmark NAME, or all of them: advice, attributes, volume. Its table goes to the
+terminal and to its section of Testing/Benchmarks/RESULTS.md. Exit status 1: a ratio is above its
+limit.
 
   --repeats N     how often each is measured; the median counts (default 5; volume: 9 frames)
   --only "A;B"    only the named rows of the table

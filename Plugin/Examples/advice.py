@@ -6,10 +6,10 @@
     pvpython advice.py OUTPUT_DIR stroke mri_stroke_t1_t2_flair.vti
     pvpython advice.py OUTPUT_DIR hurricane sim_cm1_hurricane.vti
 
-Prints the proposed axes with their tertiary attributes and how well each attribute splits one region
-of the 2D domain. Writes advice_CASE_before.png, that region alone, and advice_CASE_after.png, what
-is left of it when the best attribute cuts it at the proposed value: the part above, or both parts in
-two colours.
+Prints the proposed axes with their tertiary attributes and how well each attribute splits one
+region of the 2D domain. Writes advice_CASE_before.png, that region alone, and
+advice_CASE_after.png, what is left of it when the best attribute cuts it at the proposed value: the
+part above, or both parts in two colours.
 """
 
 import argparse

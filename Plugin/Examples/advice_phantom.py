@@ -60,7 +60,8 @@ def main():
         for seed in options.seeds:
             volume = compute(size, seed)
             arrays = ["intensity" + suffix for suffix in ALL]
-            for axes in (("intensity", "intensity_gradient"), ("intensity_mean", "intensity_stddev")):
+            for pair in (("", "_gradient"), ("_mean", "_stddev")):
+                axes = tuple("intensity" + suffix for suffix in pair)
                 scores.append((seed, axes, tfc.score(volume, *axes, arrays=arrays)))
             for name, suffixes in SETS.items():
                 dice[name].append(best_possible(volume, suffixes))

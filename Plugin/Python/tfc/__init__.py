@@ -15,8 +15,9 @@ Function Combinations", Computers & Graphics 36(6), 2012)::
         print(row)
 
 Everything is in data units. ``help(tfc.TransferFunction)`` has the details, ``tfc.show`` renders,
-``tfc.attributes`` computes attributes of a volume, ``tfc.score`` ranks them, ``tfc.suggest`` proposes
-axes, ``tfc.split`` what to do in a region, ``tfc.quality`` compares a transfer function with labels. The plugin is loaded when it is first needed.
+``tfc.attributes`` computes attributes of a volume, ``tfc.score`` ranks them, ``tfc.suggest``
+proposes axes, ``tfc.split`` says what to do in a region, ``tfc.quality`` compares a transfer
+function with labels. The plugin is loaded when it is first needed.
 """
 
 from .advice import Split, Suggestion, split, suggest

@@ -14,8 +14,8 @@ Suggestion = namedtuple(
     "pair kind primary secondary pair_score tertiary score rank new_information separation",
 )
 Suggestion.__doc__ = """A pair of axes (``pair`` 1 is the best) with one of its tertiary attributes
-(``rank`` 1 is the best). ``kind`` says why the two are a pair: ``"value and gradient"``, ``"mean and
-deviation"`` or ``"multivariate"``. The last two fields are as in :class:`tfc.Score`."""
+(``rank`` 1 is the best). ``kind`` says why the two are a pair: ``"value and gradient"``,
+``"mean and deviation"`` or ``"multivariate"``. The last two fields are as in :class:`tfc.Score`."""
 
 Split = namedtuple(
     "Split",

@@ -118,7 +118,8 @@ def _read(table, row, kind, texts, integers):
 def score(source, primary, secondary=None, arrays=None, balance=0.4, bins=256, fill_values=()):
     """Rank the attributes of a source as tertiary attributes, best first (Eq. 3 of the paper).
 
-    ``arrays`` are the attributes to look at, by default all point arrays with one component, or cell arrays if there are none;
+    ``arrays`` are the attributes to look at, by default all point arrays with one
+    component, or cell arrays if there are none;
     ``"velocity:0"`` and ``"velocity:magnitude"`` stand for one of an array with several.
     ``balance`` is the a of Eq. 3, in [0, 1): larger weighs low correlation with the primary
     attribute more, smaller weighs high entropy more. ``bins`` is for the entropies; 0 means by bit
@@ -133,17 +134,19 @@ def score(source, primary, secondary=None, arrays=None, balance=0.4, bins=256, f
             for row in range(table.GetNumberOfRows())]
 
 
-def stability(source, primary, secondary=None, arrays=None, bins=256, fill_values=(), balance=0.4):
+def stability(
+    source, primary, secondary=None, arrays=None, bins=256, fill_values=(), balance=0.4
+):
     """How the ranking of :func:`score` depends on the balance a and on the bins.
 
-    Returns a :class:`Stability`, a list of :class:`Interval` that cover 0 to 1: the attributes, best
-    first, while a is between ``low`` and ``high``; with a ``summary`` and the rankings with wider
-    bins at ``balance``. Arguments and errors are those of :func:`score`.
+    Returns a :class:`Stability`, a list of :class:`Interval` that cover 0 to 1: the attributes,
+    best first, while a is between ``low`` and ``high``; with a ``summary`` and the rankings with
+    wider bins at ``balance``. Arguments and errors are those of :func:`score`.
     """
-    with _scored(source, primary, secondary, arrays, balance, bins, fill_values) as (scores, errors):
-        _rows(scores, errors)
+    with _scored(source, primary, secondary, arrays, balance, bins, fill_values) as (scores, why):
+        _rows(scores, why)
         table = _rows(scores, ["no attribute is a candidate"], port=2)
-        over_bins = _rows(scores, errors, port=3)
+        over_bins = _rows(scores, why, port=3)
     result = Stability(
         Interval(
             table.GetValueByName(row, "from").ToDouble(),
