@@ -9,6 +9,7 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -223,6 +224,12 @@ vtkTFCAttributeSamples::vtkTFCAttributeSamples(vtkDataSet* data, int association
   if (ghosts && ghosts->GetNumberOfValues() == this->Count)
   {
     this->Ghosts = ghosts->GetPointer(0);
+  }
+  for (const Attribute& attribute : this->Attributes)
+  {
+    auto* floats = vtkFloatArray::SafeDownCast(attribute.Array);
+    const bool plain = floats && floats->GetNumberOfComponents() == 1 && attribute.Component == 0;
+    this->Floats.push_back(plain ? floats->GetPointer(0) : nullptr);
   }
   for (const double value : fillValues)
   {

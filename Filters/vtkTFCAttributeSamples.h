@@ -94,12 +94,24 @@ public:
    */
   void Read(size_t i, vtkIdType first, vtkIdType count, double* out) const
   {
-    this->ReadRaw(i, first, count, out);
     constexpr double largest = std::numeric_limits<double>::max() / 4;
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    for (vtkIdType s = 0; s < count; ++s)
+    // Plain floats, the normal case, are converted here, in the caller's instruction set.
+    if (const float* floats = this->Floats[i])
     {
-      out[s] = std::fabs(out[s]) <= largest ? out[s] : nan;
+      for (vtkIdType s = 0; s < count; ++s)
+      {
+        const auto value = static_cast<double>(floats[first + s]);
+        out[s] = std::fabs(value) <= largest ? value : nan;
+      }
+    }
+    else
+    {
+      this->ReadRaw(i, first, count, out);
+      for (vtkIdType s = 0; s < count; ++s)
+      {
+        out[s] = std::fabs(out[s]) <= largest ? out[s] : nan;
+      }
     }
     if (this->Ghosts || !this->Owned.empty() || !this->Fill.empty())
     {
@@ -112,6 +124,7 @@ private:
   void RemoveOthers(size_t i, vtkIdType first, vtkIdType count, double* out) const;
 
   std::vector<Attribute> Attributes;
+  std::vector<const float*> Floats; ///< per attribute; null when it is not a list of floats
   std::vector<unsigned char> Owned;
   std::vector<double> Fill, FloatFill;
   vtkIdType Count = 0;
