@@ -127,7 +127,7 @@ std::string FindAll(const Kind& kind, std::vector<Attribute>& found)
       std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) != 0)
     {
       Attribute attribute;
-      const std::string problem = FindOne(kind, { array->GetName(), 0 }, attribute);
+      std::string problem = FindOne(kind, { array->GetName(), 0 }, attribute);
       if (!problem.empty())
       {
         return problem;
@@ -177,7 +177,7 @@ std::string vtkTFCAttributeSamples::Find(vtkDataSet* data, const std::vector<Req
     association = kind.Association;
     if (requests.empty())
     {
-      const std::string problem = FindAll(kind, found);
+      std::string problem = FindAll(kind, found);
       if (!problem.empty() || !found.empty())
       {
         return problem;
@@ -189,7 +189,7 @@ std::string vtkTFCAttributeSamples::Find(vtkDataSet* data, const std::vector<Req
       for (const Request& request : requests)
       {
         Attribute attribute;
-        const std::string problem = FindOne(kind, request, attribute);
+        std::string problem = FindOne(kind, request, attribute);
         if (!problem.empty())
         {
           return problem;

@@ -307,9 +307,13 @@ int vtkTFCAxisSuggestion::RequestData(vtkInformation*, vtkInformationVector** in
       constexpr double nan = std::numeric_limits<double>::quiet_NaN();
       if (p == 0 && rank <= 1)
       {
-        summary = "Use " + primary + " and " + secondary + " as the axes" +
-          (none ? "; there is no candidate for the tertiary attribute"
-                : " and " + attributes[i].Label + " as the tertiary attribute");
+        summary = "Use ";
+        summary += primary;
+        summary += " and ";
+        summary += secondary;
+        summary += " as the axes";
+        summary += none ? "; there is no candidate for the tertiary attribute" : " and ";
+        summary += none ? "" : attributes[i].Label + " as the tertiary attribute";
       }
       if (fill)
       {

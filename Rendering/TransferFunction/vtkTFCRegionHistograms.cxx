@@ -206,7 +206,7 @@ std::string vtkTFCRegionHistograms::Update(vtkDataObject* input, vtkTFCTransferF
   const size_t own = attributes.size();
   attributes.insert(attributes.end(), extra.begin(), extra.end());
   std::vector<double> extents;
-  const std::string problem = FindRanges(input, attributes, controller, extents);
+  std::string problem = FindRanges(input, attributes, controller, extents);
   if (!problem.empty())
   {
     return problem;
