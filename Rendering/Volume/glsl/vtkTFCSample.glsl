@@ -25,6 +25,9 @@ vec3 g_tfcColor;
 
 float computeOpacity(vec4 attributes)
 {
+#ifdef TFC_MORE_ATTRIBUTES
+  g_tfcMoreAttributes = texture(in_tfcMoreAttributes, g_dataPos);
+#endif
   vec4 classified = tfcClassify(attributes, g_tfcCell);
   g_tfcColor = classified.rgb;
   return tfcPieceOpacity(classified.a);
