@@ -13,6 +13,11 @@ vtkStandardNewMacro(vtkTFCRegion);
 
 namespace
 {
+constexpr const char* LOCKED = "x-locked";
+}
+
+namespace
+{
 //------------------------------------------------------------------------------
 bool IsFraction(double value)
 {
@@ -108,6 +113,30 @@ void vtkTFCRegion::SetVisible(bool visible)
 bool vtkTFCRegion::GetVisible() const
 {
   return this->Values->Visible;
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRegion::SetLocked(bool locked)
+{
+  if (locked != this->GetLocked())
+  {
+    if (locked)
+    {
+      this->Values->Extras[LOCKED] = "true";
+    }
+    else
+    {
+      this->Values->Extras.erase(LOCKED);
+    }
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTFCRegion::GetLocked() const
+{
+  const auto locked = this->Values->Extras.find(LOCKED);
+  return locked != this->Values->Extras.end() && locked->second == "true";
 }
 
 //------------------------------------------------------------------------------
@@ -344,6 +373,14 @@ void vtkTFCRegion::SetValues(const vtkTFCRegionState& values)
   *this->Values = values;
   this->Values->Shape = vtkTFCShapeState();
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRegion::DeepCopy(vtkTFCRegion* other)
+{
+  vtkTFCRegionState values = other->GetValues();
+  values.Id = this->Values->Id;
+  this->SetValues(values);
 }
 
 //------------------------------------------------------------------------------
