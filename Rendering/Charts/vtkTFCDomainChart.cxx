@@ -215,16 +215,6 @@ void vtkTFCDomainChart::ClearProbe()
   this->Redraw();
 }
 
-void vtkTFCDomainChart::GetPaletteColor(int n, double color[3])
-{
-  static const unsigned char palette[8][3] = { { 230, 159, 0 }, { 86, 180, 233 }, { 0, 158, 115 },
-    { 213, 94, 0 }, { 0, 114, 178 }, { 204, 121, 167 }, { 240, 228, 66 }, { 153, 153, 153 } };
-  for (int c = 0; c < 3; ++c)
-  {
-    color[c] = palette[(n % 8 + 8) % 8][c] / 255.0;
-  }
-}
-
 void vtkTFCDomainChart::Redraw()
 {
   this->Modified();

@@ -169,12 +169,6 @@ public:
   ///@}
 
   /**
-   * Colour of the n-th new region, from eight that people with colour-blindness can tell apart:
-   * M. Okabe and K. Ito, Color Universal Design (2008), without black.
-   */
-  static void GetPaletteColor(int n, double color[3]);
-
-  /**
    * Size of the plot, and where data are in it, as of the last Paint(). Pixels of the scene.
    */
   VTK_WRAPEXCLUDE const vtkTFCDomainMapping& GetMapping() const { return this->Mapping; }

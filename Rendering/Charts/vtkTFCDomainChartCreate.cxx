@@ -130,7 +130,7 @@ vtkTFCRegion* vtkTFCDomainChart::CreateRegion(const vtkTFCOutline& outline)
   {
     double used[3];
     int count = 0;
-    GetPaletteColor(n, color);
+    vtkTFCRegion::GetPaletteColor(n, color);
     for (int i = 0; i < this->TransferFunction->GetNumberOfRegions(); ++i)
     {
       this->TransferFunction->GetRegion(i)->GetColor(used);
@@ -142,7 +142,7 @@ vtkTFCRegion* vtkTFCDomainChart::CreateRegion(const vtkTFCOutline& outline)
       best = n;
     }
   }
-  GetPaletteColor(best, color);
+  vtkTFCRegion::GetPaletteColor(best, color);
   vtkNew<vtkTFCRegion> region;
   region->SetShape(shape);
   region->SetColor(color[0], color[1], color[2]);

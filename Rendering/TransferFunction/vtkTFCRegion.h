@@ -108,6 +108,12 @@ public:
   void GetColor(double color[3]) const;
   ///@}
 
+  /**
+   * The n-th of eight colours that people with colour-blindness can tell apart, for new regions: M.
+   * Okabe and K. Ito, Color Universal Design (2008), with grey for black.
+   */
+  static void GetPaletteColor(int n, double color[3]);
+
   ///@{
   /**
    * Opacity in [0, 1] where fall-off and tertiary function are 1. Default 1.

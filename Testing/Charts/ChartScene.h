@@ -140,7 +140,7 @@ public:
     shape->SetCenter(x, y);
     shape->SetHalfSize(hx, hy);
     double color[3];
-    vtkTFCDomainChart::GetPaletteColor(this->Model->GetNumberOfRegions() - 1, color);
+    vtkTFCRegion::GetPaletteColor(this->Model->GetNumberOfRegions() - 1, color);
     region->SetColor(color[0], color[1], color[2]);
     this->Render();
     return region;
