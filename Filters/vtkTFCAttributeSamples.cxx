@@ -12,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -22,8 +21,6 @@ namespace
 {
 using Attribute = vtkTFCAttributeSamples::Attribute;
 using Request = vtkTFCAttributeSamples::Request;
-
-constexpr double LargestValid = std::numeric_limits<double>::max() / 4;
 
 //------------------------------------------------------------------------------
 /**
@@ -234,16 +231,18 @@ vtkTFCAttributeSamples::vtkTFCAttributeSamples(vtkDataSet* data, int association
 }
 
 //------------------------------------------------------------------------------
-void vtkTFCAttributeSamples::Read(size_t i, vtkIdType first, vtkIdType count, double* out) const
+void vtkTFCAttributeSamples::ReadRaw(size_t i, vtkIdType first, vtkIdType count, double* out) const
 {
   const Attribute& attribute = this->Attributes[i];
   vtkTFCSamples::Read(attribute.Array, attribute.Component, first, count, out);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCAttributeSamples::RemoveOthers(size_t i, vtkIdType first, vtkIdType count,
+  double* out) const
+{
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  for (vtkIdType s = 0; s < count; ++s)
-  {
-    out[s] = std::fabs(out[s]) <= LargestValid ? out[s] : nan;
-  }
-  const bool isFloat = attribute.Array->GetDataType() == VTK_FLOAT;
+  const bool isFloat = this->Attributes[i].Array->GetDataType() == VTK_FLOAT;
   for (const double fill : isFloat ? this->FloatFill : this->Fill)
   {
     for (vtkIdType s = 0; s < count; ++s)

@@ -23,6 +23,8 @@
 #include "vtkType.h" // For vtkIdType
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -90,9 +92,25 @@ public:
   /**
    * Samples [first, first + count) of attribute `i` in data units.
    */
-  void Read(size_t i, vtkIdType first, vtkIdType count, double* out) const;
+  void Read(size_t i, vtkIdType first, vtkIdType count, double* out) const
+  {
+    this->ReadRaw(i, first, count, out);
+    constexpr double largest = std::numeric_limits<double>::max() / 4;
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (vtkIdType s = 0; s < count; ++s)
+    {
+      out[s] = std::fabs(out[s]) <= largest ? out[s] : nan;
+    }
+    if (this->Ghosts || !this->Owned.empty() || !this->Fill.empty())
+    {
+      this->RemoveOthers(i, first, count, out);
+    }
+  }
 
 private:
+  void ReadRaw(size_t i, vtkIdType first, vtkIdType count, double* out) const;
+  void RemoveOthers(size_t i, vtkIdType first, vtkIdType count, double* out) const;
+
   std::vector<Attribute> Attributes;
   std::vector<unsigned char> Owned;
   std::vector<double> Fill, FloatFill;

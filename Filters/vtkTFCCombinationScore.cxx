@@ -3,11 +3,13 @@
 #include "vtkTFCCombinationScore.h"
 
 #include "Kernels/TFCScore.h"
+#include "vtkTFCAttributeAgreement.h"
+#include "vtkTFCAttributeInformation.h"
+#include "vtkTFCAttributeSamples.h"
 #include "vtkTFCAttributeStatistics.h"
 #include "vtkTFCDistributedImage.h"
 
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -16,7 +18,6 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -47,36 +49,6 @@ int FindLabel(const std::vector<Attribute>& attributes, const std::string& label
   const auto found = std::find_if(attributes.begin(), attributes.end(),
     [&](const Attribute& attribute) { return attribute.Label == label; });
   return found == attributes.end() ? -1 : static_cast<int>(found - attributes.begin());
-}
-
-//------------------------------------------------------------------------------
-/**
- * What processes must agree on, as one text, and back. Line feeds end entries.
- */
-std::string Describe(const std::vector<Attribute>& attributes)
-{
-  std::string text;
-  for (const Attribute& attribute : attributes)
-  {
-    text += (attribute.Integer ? "i" : "f") + attribute.Label + '\n';
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
-std::vector<Attribute> FromDescription(const std::string& text)
-{
-  std::vector<Attribute> attributes;
-  for (size_t begin = 0; begin < text.size();)
-  {
-    const size_t end = text.find('\n', begin);
-    Attribute attribute;
-    attribute.Integer = text[begin] == 'i';
-    attribute.Label = text.substr(begin + 1, end - begin - 1);
-    attributes.push_back(attribute);
-    begin = end + 1;
-  }
-  return attributes;
 }
 
 //------------------------------------------------------------------------------
@@ -112,6 +84,48 @@ std::string MakeSentence(const std::vector<tfc::RankingInterval>& intervals,
 }
 
 //------------------------------------------------------------------------------
+/**
+ * The candidates, best first.
+ */
+std::string MakeRanking(const std::vector<int>& ranks, const std::vector<Attribute>& attributes)
+{
+  std::string text;
+  for (int rank = 1; rank <= static_cast<int>(ranks.size()); ++rank)
+  {
+    const auto found = std::find(ranks.begin(), ranks.end(), rank);
+    text += found == ranks.end()
+      ? ""
+      : (rank > 1 ? ", " : "") + attributes[static_cast<size_t>(found - ranks.begin())].Label;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Whether the ranking depends on the bins, as the rest of a sentence.
+ */
+std::string MakeBinSentence(double balance, const std::vector<std::string>& rankings)
+{
+  if (rankings.empty() || rankings[0].empty())
+  {
+    return {};
+  }
+  char text[96];
+  const auto other = std::find_if(rankings.begin(), rankings.end(),
+    [&](const std::string& ranking) { return ranking != rankings[0]; });
+  if (other == rankings.end())
+  {
+    std::snprintf(text, sizeof(text), "; for a = %.3g bins up to %d times as wide rank alike",
+      balance, 1 << (rankings.size() - 1));
+    return text;
+  }
+  std::snprintf(text, sizeof(text),
+    "; for a = %.3g bins %d times as wide rank differently: ", balance,
+    1 << (other - rankings.begin()));
+  return text + *other;
+}
+
+//------------------------------------------------------------------------------
 template <typename Column, typename Value>
 void AddColumn(vtkTable* table, const char* name, const std::vector<Value>& values)
 {
@@ -123,12 +137,34 @@ void AddColumn(vtkTable* table, const char* name, const std::vector<Value>& valu
   }
   table->AddColumn(column);
 }
+
+//------------------------------------------------------------------------------
+void AddInformation(const std::vector<int>& rows, const std::vector<tfc::Information>& information,
+  int primary, int secondary, vtkTable* table)
+{
+  std::vector<double> columns[4];
+  for (const int i : rows)
+  {
+    const tfc::Information& info = information[static_cast<size_t>(i)];
+    const bool measured = i != primary && i != secondary && info.Samples > 0.;
+    const double separation = info.Entropy > 0. ? info.New / info.Entropy : 0.;
+    const double values[4] = { info.Mutual, info.ConditionalMutual, info.New, separation };
+    for (int c = 0; c < 4; ++c)
+    {
+      columns[c].push_back(measured ? values[c] : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  AddColumn<vtkDoubleArray>(table, "mutual_information", columns[0]);
+  AddColumn<vtkDoubleArray>(table, "conditional_mutual_information", columns[1]);
+  AddColumn<vtkDoubleArray>(table, "new_information", columns[2]);
+  AddColumn<vtkDoubleArray>(table, "separation", columns[3]);
+}
 }
 
 //------------------------------------------------------------------------------
 vtkTFCCombinationScore::vtkTFCCombinationScore()
 {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
@@ -183,58 +219,43 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
   vtkInformationVector* outputVector)
 {
   vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
-  const bool isEmpty = input->GetNumberOfPoints() == 0;
-  std::string problem;
-  std::vector<Attribute> attributes;
-  if (!(this->Balance >= 0. && this->Balance < 1.))
+  std::vector<std::string> axes;
+  for (const char* axis : { this->Primary, this->Secondary })
   {
-    problem = "Balance is " + std::to_string(this->Balance) + ". Set it to 0 or more, below 1.";
+    if (IsSet(axis))
+    {
+      axes.emplace_back(axis);
+    }
   }
-  else if (this->NumberOfBins < 2 || this->NumberOfBins > 65536)
+  vtkTFCAttributeAgreement agreement(this->Controller);
+  agreement.CheckScoring(this->Balance, this->NumberOfBins);
+  const bool agreed = agreement.Find(input, this->Arrays, axes);
+  if (!agreement.GetWarning().empty())
   {
-    problem = "NumberOfBins is " + std::to_string(this->NumberOfBins) + ". Set it to 2 to 65536.";
+    vtkWarningMacro(<< agreement.GetWarning());
   }
-  else if (!isEmpty)
+  if (!agreed)
   {
-    problem = this->FindAttributes(input->GetPointData(), attributes);
-  }
-
-  // From here on every process takes the same way, whatever it found.
-  const vtkTFCDistributedImage image(input, vtkDataObject::FIELD_ASSOCIATION_POINTS,
-    this->Controller);
-  if (!image.Any(!isEmpty) && problem.empty())
-  {
-    problem = "The input is empty. Connect a volume with at least one point.";
-  }
-  const std::string shared = image.ShareText(!isEmpty, Describe(attributes));
-  if (problem.empty() && !isEmpty && shared != Describe(attributes))
-  {
-    problem = "The processes hold different point arrays, or in another order. List those that all "
-              "have in Arrays.";
-  }
-  if (!image.All(problem.empty()))
-  {
-    vtkErrorMacro(<< (problem.empty()
-                         ? "Another process cannot use its piece of the input: see the "
-                           "message there."
-                         : problem)
-                  << " No scores were computed.");
+    vtkErrorMacro(<< agreement.GetProblem() << " No scores were computed.");
     return 1;
   }
-  if (isEmpty)
-  {
-    attributes = FromDescription(shared);
-  }
-
-  vtkTFCAttributeStatistics::Result statistics;
-  if (!vtkTFCAttributeStatistics::Compute(input, image, attributes, this->FillValues,
-        this->NumberOfBins, this, statistics))
-  {
-    return 1;
-  }
+  const std::vector<Attribute>& attributes = agreement.GetAttributes();
+  const vtkTFCDistributedImage& image = agreement.GetImage();
 
   const int primary = IsSet(this->Primary) ? std::max(0, FindLabel(attributes, this->Primary)) : 0;
   const int secondary = IsSet(this->Secondary) ? FindLabel(attributes, this->Secondary) : -1;
+  const vtkTFCAttributeSamples samples(input, image.GetAssociation(), attributes,
+    image.GetOwnedSamples(), this->FillValues);
+  vtkTFCAttributeStatistics::Result statistics;
+  std::vector<tfc::Information> information;
+  if (!vtkTFCAttributeStatistics::Compute(samples, image, attributes, this->NumberOfBins, this,
+        statistics) ||
+    (this->MeasureInformation &&
+      !vtkTFCAttributeInformation::Compute(samples, image, statistics.Summaries, primary, secondary,
+        this, information)))
+  {
+    return 1;
+  }
   const tfc::Scores scores = tfc::CombinationScores(statistics.Correlations, statistics.Entropies,
     this->Balance, primary, secondary);
 
@@ -276,6 +297,10 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
   AddColumn<vtkDoubleArray>(table, "entropy", entropies);
   AddColumn<vtkDoubleArray>(table, "score", values);
   AddColumn<vtkIntArray>(table, "rank", ranks);
+  if (this->MeasureInformation)
+  {
+    AddInformation(order, information, primary, secondary, table);
+  }
 
   vtkTable* matrix = vtkTable::GetData(outputVector, 1);
   names.clear();
@@ -315,53 +340,29 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
   AddColumn<vtkDoubleArray>(stability, "from", from);
   AddColumn<vtkDoubleArray>(stability, "to", to);
   AddColumn<vtkStringArray>(stability, "ranking", names);
+  std::vector<int> merged;
+  std::vector<std::string> rankings;
+  for (size_t c = 0; c < statistics.CoarseEntropies.size(); ++c)
+  {
+    const tfc::Scores coarse = tfc::CombinationScores(statistics.Correlations,
+      statistics.CoarseEntropies[c], this->Balance, primary, secondary);
+    merged.push_back(1 << c);
+    rankings.push_back(MakeRanking(coarse.Rank, attributes));
+  }
   vtkNew<vtkStringArray> sentence;
   sentence->SetName("summary");
-  sentence->InsertNextValue(MakeSentence(intervals, attributes));
+  sentence->InsertNextValue(
+    MakeSentence(intervals, attributes) + MakeBinSentence(this->Balance, rankings));
+  if (order.empty())
+  {
+    merged.clear();
+    rankings.clear();
+  }
+  vtkTable* overBins = vtkTable::GetData(outputVector, 3);
+  AddColumn<vtkIntArray>(overBins, "merged_bins", merged);
+  AddColumn<vtkStringArray>(overBins, "ranking", rankings);
   stability->GetFieldData()->AddArray(sentence);
   return 1;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkTFCCombinationScore::FindAttributes(vtkPointData* points,
-  std::vector<Attribute>& attributes) const
-{
-  std::vector<std::string> wanted = this->Arrays;
-  if (wanted.empty())
-  {
-    attributes = vtkTFCAttributeStatistics::FindAll(points);
-  }
-  for (const char* axis : { this->Primary, this->Secondary })
-  {
-    if (IsSet(axis))
-    {
-      wanted.emplace_back(axis);
-    }
-  }
-  for (const std::string& name : wanted)
-  {
-    // Lists of all arrays, such as ParaView's, contain the flags: they are no data.
-    if (name == vtkDataSetAttributes::GhostArrayName())
-    {
-      continue;
-    }
-    Attribute attribute;
-    std::string problem = vtkTFCAttributeStatistics::Find(points, name, attribute);
-    if (!problem.empty())
-    {
-      return problem;
-    }
-    if (FindLabel(attributes, name) < 0)
-    {
-      attributes.push_back(attribute);
-    }
-  }
-  if (attributes.empty())
-  {
-    return "The input has no numeric single-component point array. Apply the filter Cell Data to "
-           "Point Data first, or name components in Arrays, such as 'velocity:0'.";
-  }
-  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -377,6 +378,7 @@ void vtkTFCCombinationScore::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Secondary: " << (this->Secondary ? this->Secondary : "") << "\n";
   os << indent << "Balance: " << this->Balance << "\n";
   os << indent << "NumberOfBins: " << this->NumberOfBins << "\n";
+  os << indent << "MeasureInformation: " << this->MeasureInformation << "\n";
   os << indent << "TablesOnAllProcesses: " << this->TablesOnAllProcesses << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -12,11 +12,22 @@
  * `attribute` and one column per attribute; NaN for constant attributes. Port 2, table "Stability":
  * how the ranking depends on the balance a: `from` and `to`, an interval of a, and `ranking`, the
  * candidates in it, best first; the field data array `summary` says it in a sentence, such as
- * "occlusion is first for a < 0.72, radius is first for a > 0.72".
+ * "occlusion is first for a < 0.72, radius is first for a > 0.72", and whether wider bins rank
+ * otherwise. Port 3, table "Stability over bins": `merged_bins` (1, 2, 4, 8: so many neighbouring
+ * bins are taken as one for the entropies) and `ranking`, for the given a.
  *
- * Attributes are point arrays: `name` of a single-component array, `name:2` for a component (from
- * 0) or `name:magnitude`. NaN, infinities, blanked points and the fill values are no data;
- * correlations use the points where both attributes have data, entropies those where one has.
+ * Further columns of the scores, unless MeasureInformation is off, say what Pearson's R cannot:
+ * with T the attribute and X, Y the axes (only X without a secondary one), all in bits of coarse
+ * histograms: `mutual_information` I(T; X, Y), dependence of any kind on the axes;
+ * `conditional_mutual_ information` I(T; X | Y), what T shares with the primary attribute alone;
+ * `new_information` H(T | X, Y), what the 3D histogram separates beyond the 2D one; `separation`,
+ * its part of H(T), 0 to 1. NaN for the axes. Formulas, source and the correction for few samples:
+ * Kernels/TFCInformation.h. New information counts noise, too.
+ *
+ * Attributes are arrays, all of points or all of cells: `name` of a single-component array,
+ * `name:2` for a component (from 0) or `name:magnitude`. NaN, infinities, blanked points or cells
+ * and the fill values are no data; correlations use the samples where both attributes have data,
+ * entropies those where one has, information those where the axes and the attribute have.
  * Histograms: NumberOfBins equal bins between minimum and maximum, or one bin per value for integer
  * arrays whose range fits (see Kernels/TFCHistogram.h).
  *
@@ -25,8 +36,9 @@
  * taken care of; the pieces of an unstructured grid must flag shared points as duplicates.
  * All processes of the controller must update the filter together.
  *
- * Two threaded passes over the data (range and mean; sums and histograms) in double precision;
- * results do not depend on the number of threads. Memory: 1 byte per point on several processes.
+ * Three threaded passes over the data (range and mean; sums and histograms; information) in
+ * doubles; results do not depend on the number of threads. Memory: 1 byte per point on several
+ * processes.
  */
 
 #ifndef vtkTFCCombinationScore_h
@@ -39,12 +51,6 @@
 #include <vector> // For std::vector
 
 class vtkMultiProcessController;
-class vtkPointData;
-
-namespace vtkTFCAttributeStatistics
-{
-struct Attribute;
-}
 
 class VTKTFCFILTERS_EXPORT vtkTFCCombinationScore : public vtkTableAlgorithm
 {
@@ -55,8 +61,9 @@ public:
 
   ///@{
   /**
-   * The attributes to compare. None: all single-component numeric point arrays. The primary and
-   * secondary attribute are added when they are not among them.
+   * The attributes to compare. None: all single-component numeric arrays of points, or of cells
+   * when no array of points is one. The primary and secondary attribute are added when they are
+   * not among them.
    */
   void AddArray(const char* name);
   void ClearArrays();
@@ -83,10 +90,21 @@ public:
 
   ///@{
   /**
-   * Histogram bins, 2 to 65536. Default 256.
+   * Histogram bins, 2 to 65536. Default 256. 0: by bit depth, one bin per value of an integer array
+   * (256 for 8 bits), but no more than 65536, and 256 for floating point, which has no bit depth.
+   * Entropies of attributes with different numbers of bins compare poorly.
    */
   vtkSetMacro(NumberOfBins, int);
   vtkGetMacro(NumberOfBins, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to compute the columns about information: one more pass. Default on.
+   */
+  vtkSetMacro(MeasureInformation, bool);
+  vtkGetMacro(MeasureInformation, bool);
+  vtkBooleanMacro(MeasureInformation, bool);
   ///@}
 
   ///@{
@@ -128,13 +146,11 @@ protected:
   char* Secondary = nullptr;
   double Balance = 0.4;
   int NumberOfBins = 256;
+  bool MeasureInformation = true;
   bool TablesOnAllProcesses = true;
   vtkMultiProcessController* Controller = nullptr;
 
 private:
-  std::string FindAttributes(vtkPointData* points,
-    std::vector<vtkTFCAttributeStatistics::Attribute>& attributes) const;
-
   vtkTFCCombinationScore(const vtkTFCCombinationScore&) = delete;
   void operator=(const vtkTFCCombinationScore&) = delete;
 };

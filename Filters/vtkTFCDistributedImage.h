@@ -51,6 +51,11 @@ public:
    */
   int GetNumberOfRanks() const { return this->NumberOfRanks; }
 
+  /**
+   * Points or cells, as constructed.
+   */
+  int GetAssociation() const { return this->Association; }
+
   ///@{
   /**
    * Lattice extents: the samples of this process with ghost layers, without them, and those of all

@@ -7,7 +7,6 @@
 #include "vtkTFCJointCounts.h"
 #include "vtkTFCSparseHistogram.h"
 
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -16,7 +15,6 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkUnsignedIntArray.h"
 #include "vtkUnsignedShortArray.h"
@@ -41,24 +39,10 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 //------------------------------------------------------------------------------
 std::vector<vtkDataSet*> FindBlocks(vtkDataObject* input)
 {
-  std::vector<vtkDataSet*> blocks;
-  const auto add = [&blocks](vtkDataObject* object)
-  {
-    auto* block = vtkDataSet::SafeDownCast(object);
-    if (block && block->GetNumberOfPoints() > 0)
-    {
-      blocks.push_back(block);
-    }
-  };
-  add(input);
-  if (auto* tree = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      add(iterator->GetCurrentDataObject());
-    }
-  }
+  std::vector<vtkDataSet*> blocks = vtkCompositeDataSet::GetDataSets<vtkDataSet>(input);
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
+                 [](vtkDataSet* block) { return block->GetNumberOfPoints() == 0; }),
+    blocks.end());
   return blocks;
 }
 
@@ -231,7 +215,7 @@ std::string vtkTFCJointHistogram::Compute(const std::vector<vtkDataSet*>& blocks
     {
       problem = "The arrays are of points in some blocks and of cells in others. Use one of both.";
     }
-    association = found;
+    association = problem.empty() ? found : -1;
   }
 
   // From here on every process takes the same way, whatever it found.

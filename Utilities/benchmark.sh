@@ -9,8 +9,9 @@ usage() {
   cat <<'TEXT'
 usage: Utilities/benchmark.sh [NAME [ARGUMENTS]]
 
-Runs the benchmark NAME, or all of them: attributes, volume. Its table goes to the terminal and
-to its section of Testing/Benchmarks/RESULTS.md. Exit status 1: a ratio is above its limit.
+Runs the benchmark NAME, or all of them: advice, attributes, volume. Its table goes to the
+terminal and to its section of Testing/Benchmarks/RESULTS.md. Exit status 1: a ratio is above its
+limit.
 
   --repeats N     how often each is measured; the median counts (default 5; volume: 9 frames)
   --only "A;B"    only the named rows of the table
@@ -23,14 +24,14 @@ TEXT
 
 source_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build_dir="${TFC_BUILD_DIR:-$source_dir/build}"
-names=(attributes volume)
+names=(advice attributes volume)
 if (($# > 0)); then
   case "$1" in
     -h | --help)
       usage
       exit 0
       ;;
-    attributes | volume)
+    advice | attributes | volume)
       names=("$1")
       shift
       ;;

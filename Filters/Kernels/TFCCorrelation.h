@@ -19,6 +19,7 @@
 #define TFCCorrelation_h
 
 #include "TFCGradient.h"
+#include "TFCVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,15 +113,14 @@ inline void AccumulatePairs(size_t k, Index n, PairWorkspace& work, PairSums* pa
   {
     double* values = work.GetValues(i);
     double* valid = work.Valid.data() + i * work.Stride;
-    double count = 0.;
+    TFC_INDEPENDENT
     for (Index s = 0; s < n; ++s)
     {
-      const bool ok = values[s] == values[s];
-      valid[s] = ok ? 1. : 0.;
-      values[s] = ok ? values[s] : 0.;
-      count += valid[s];
+      const double value = values[s];
+      valid[s] = value == value ? 1. : 0.;
+      values[s] = value == value ? value : 0.;
     }
-    complete = complete && count == static_cast<double>(n);
+    complete = complete && Dot(valid, work.Ones.data(), n) == static_cast<double>(n);
     work.Sums[i] = Dot(values, work.Ones.data(), n);
     work.SumsOfSquares[i] = Dot(values, values, n);
   }

@@ -18,6 +18,7 @@
 #include "TFCGradient.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -63,7 +64,7 @@ struct Binning
     const double q = (value - this->Minimum) * this->Scale;
     const double last = static_cast<double>(this->Bins - 1);
     const double clamped = q < 0. ? 0. : (q > last ? last : q);
-    return value == value ? static_cast<Index>(clamped) : this->Bins;
+    return static_cast<std::int32_t>(value == value ? clamped : last + 1.);
   }
 };
 
@@ -82,10 +83,21 @@ public:
 
   void Add(const double* values, Index n)
   {
+    // First the bins, in a loop that becomes vector code, then the increments.
+    constexpr Index block = 512;
+    std::array<std::int32_t, block> bins;
     const Index stride = this->Bins.Bins + 1;
-    for (Index i = 0; i < n; ++i)
+    for (Index first = 0; first < n; first += block)
     {
-      ++this->Counts[(i & 3) * stride + this->Bins.GetBin(values[i])];
+      const Index count = std::min(block, n - first);
+      for (Index i = 0; i < count; ++i)
+      {
+        bins[i] = static_cast<std::int32_t>(this->Bins.GetBin(values[first + i]));
+      }
+      for (Index i = 0; i < count; ++i)
+      {
+        ++this->Counts[(i & 3) * stride + bins[i]];
+      }
     }
   }
 
@@ -106,6 +118,19 @@ private:
   Binning Bins;
   std::vector<std::int64_t> Counts;
 };
+
+/**
+ * Take pairs of neighbouring bins as one.
+ */
+inline void MergeBins(std::vector<std::int64_t>& counts)
+{
+  const std::size_t half = (counts.size() + 1) / 2;
+  for (std::size_t b = 0; b < half; ++b)
+  {
+    counts[b] = counts[2 * b] + (2 * b + 1 < counts.size() ? counts[2 * b + 1] : 0);
+  }
+  counts.resize(half);
+}
 
 /**
  * Entropy of a histogram in bits; 0 when it is empty.

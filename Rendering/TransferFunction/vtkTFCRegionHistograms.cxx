@@ -3,7 +3,6 @@
 #include "vtkTFCRegionHistograms.h"
 
 #include "vtkCommunicator.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkMultiProcessController.h"
@@ -23,24 +22,10 @@ namespace
 //------------------------------------------------------------------------------
 std::vector<vtkDataSet*> FindBlocks(vtkDataObject* input)
 {
-  std::vector<vtkDataSet*> blocks;
-  const auto add = [&blocks](vtkDataObject* object)
-  {
-    auto* block = vtkDataSet::SafeDownCast(object);
-    if (block && block->GetNumberOfPoints() > 0)
-    {
-      blocks.push_back(block);
-    }
-  };
-  add(input);
-  if (auto* tree = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      add(iterator->GetCurrentDataObject());
-    }
-  }
+  std::vector<vtkDataSet*> blocks = vtkCompositeDataSet::GetDataSets<vtkDataSet>(input);
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
+                 [](vtkDataSet* block) { return block->GetNumberOfPoints() == 0; }),
+    blocks.end());
   return blocks;
 }
 

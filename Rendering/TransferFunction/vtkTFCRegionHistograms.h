@@ -73,6 +73,11 @@ public:
   const std::vector<Conditional>& GetConditionals() const { return this->Conditionals; }
 
   /**
+   * Ids of the visible regions, in list order.
+   */
+  const std::vector<int>& GetRegionIds() const { return this->Ids; }
+
+  /**
    * The histogram of the extra attribute `index` over a region, given by its index among the
    * visible ones.
    */

@@ -117,6 +117,9 @@ bool vtkTFCIsNumber(double value);
 /// A number as the shortest text that reads back as the same number, in any locale.
 std::string vtkTFCNumberText(double value);
 
+/// The value of a region's "tertiary".
+std::string vtkTFCTertiaryText(const vtkTFCTertiaryState& tertiary);
+
 /**
  * Read JSON text. Returns false and one sentence in `error` that names the field, what was expected
  * and what is there; `state` is then unspecified. An empty text is an empty state.

@@ -76,7 +76,20 @@ std::string Shape(const vtkTFCShapeState& shape)
 }
 
 //------------------------------------------------------------------------------
-std::string Tertiary(const vtkTFCTertiaryState& tertiary)
+std::string Extras(const vtkTFCExtras& extras, const char* separator)
+{
+  std::string out;
+  for (const auto& item : extras)
+  {
+    out += separator + Quoted(item.first) + ": " + item.second;
+  }
+  return out;
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTFCTertiaryText(const vtkTFCTertiaryState& tertiary)
 {
   if (!tertiary.Set)
   {
@@ -91,17 +104,8 @@ std::string Tertiary(const vtkTFCTertiaryState& tertiary)
   return out + "}";
 }
 
-//------------------------------------------------------------------------------
-std::string Extras(const vtkTFCExtras& extras, const char* separator)
+namespace
 {
-  std::string out;
-  for (const auto& item : extras)
-  {
-    out += separator + Quoted(item.first) + ": " + item.second;
-  }
-  return out;
-}
-
 //------------------------------------------------------------------------------
 std::string Region(const vtkTFCRegionState& region)
 {
@@ -114,7 +118,7 @@ std::string Region(const vtkTFCRegionState& region)
     "\", \"width\": " + vtkTFCNumberText(region.Width) + "}";
   out += next + ("\"color\": " + Numbers(region.Color)) +
     ", \"opacity\": " + vtkTFCNumberText(region.Opacity);
-  out += next + ("\"tertiary\": " + Tertiary(region.Tertiary));
+  out += next + ("\"tertiary\": " + vtkTFCTertiaryText(region.Tertiary));
   return out + Extras(region.Extras, next) + "}";
 }
 }

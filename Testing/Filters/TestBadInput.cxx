@@ -231,7 +231,7 @@ TEST(BadInput, ScoreParametersAndArrays)
   ExpectNoScores(filter.Get(), image, "NumberOfBins is 1");
   filter->SetNumberOfBins(256);
   filter->AddArray("b");
-  ExpectNoScores(filter.Get(), image, "no point array 'b'. Choose from 'a'");
+  ExpectNoScores(filter.Get(), image, "no array 'b'. Choose from the point arrays 'a'");
   filter->ClearArrays();
   filter->SetPrimary("a:5");
   ExpectNoScores(filter.Get(), image, "no component '5'");
@@ -240,7 +240,29 @@ TEST(BadInput, ScoreParametersAndArrays)
   ExpectNoScores(filter.Get(), image, "no component 'x'");
   filter->SetPrimary(nullptr);
   filter->SetSecondary(nullptr);
-  ExpectNoScores(filter.Get(), MakeImage(3, 3, 3), "no numeric single-component point array");
+  ExpectNoScores(filter.Get(), MakeImage(3, 3, 3), "no numeric single-component array");
+  auto mixed = MakeVolume(4, 4, 4, Noise);
+  mixed->GetCellData()->AddArray(MakeArray("c", 3, 3, 3, Noise));
+  filter->SetPrimary("a");
+  filter->SetSecondary("c");
+  ExpectNoScores(filter.Get(), mixed, "'c' is a cell array");
+  // In a list of arrays, such as ParaView's default, it is left out.
+  vtkNew<vtkTFCCombinationScore> ofMixed;
+  std::string warning;
+  vtkNew<vtkCallbackCommand> listen;
+  listen->SetClientData(&warning);
+  listen->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
+    { *static_cast<std::string*>(text) += static_cast<const char*>(message); });
+  ofMixed->AddObserver(vtkCommand::WarningEvent, listen);
+  ofMixed->SetInputData(mixed);
+  ofMixed->AddArray("a");
+  ofMixed->AddArray("c");
+  ofMixed->Update();
+  EXPECT_EQ(ofMixed->GetOutput()->GetNumberOfRows(), 1);
+  EXPECT_NE(warning.find("Left out: 'c'"), std::string::npos) << warning;
+  mixed->GetPointData()->AddArray(MakeArray("short", 2, 2, 2, Noise));
+  filter->SetSecondary("short");
+  ExpectNoScores(filter.Get(), mixed, "'short' has 8 values for 64 points");
 }
 
 TEST(BadInput, ScoreOfNothingValid)
@@ -256,4 +278,11 @@ TEST(BadInput, ScoreOfNothingValid)
   {
     EXPECT_EQ(filter->GetOutput()->GetValueByName(row, "rank").ToInt(), 0);
   }
+
+  // Nor is a single array: it is the primary one, and there is no candidate.
+  vtkNew<vtkTFCCombinationScore> single;
+  single->SetInputData(MakeVolume(4, 4, 4, Noise));
+  single->Update();
+  ASSERT_EQ(single->GetOutput()->GetNumberOfRows(), 1);
+  EXPECT_EQ(single->GetOutput()->GetValueByName(0, "rank").ToInt(), 0);
 }

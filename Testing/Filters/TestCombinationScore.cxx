@@ -4,6 +4,7 @@
 
 #include "Filters/vtkTFCCombinationScore.h"
 
+#include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkRectilinearGrid.h"
@@ -110,7 +111,7 @@ TEST(CombinationScore, TableAndMatrix)
   filter->Update();
   vtkTable* table = filter->GetOutput();
   ASSERT_EQ(table->GetNumberOfRows(), 5);
-  ASSERT_EQ(table->GetNumberOfColumns(), 5);
+  ASSERT_EQ(table->GetNumberOfColumns(), 9);
 
   // P takes N values equally often, flag two: closed forms.
   EXPECT_NEAR(Get(table, "P", "entropy"), std::log2(N), 1e-12);
@@ -303,5 +304,94 @@ TEST(CombinationScore, DoesNotDependOnThreads)
     }
     EXPECT_EQ(now[0], first[0]);
     EXPECT_EQ(now[1], first[1]);
+  }
+}
+
+TEST(CombinationScore, InformationBeyondCorrelation)
+{
+  constexpr int n = 48;
+  auto image = MakeImage(n, n, n);
+  auto* points = image->GetPointData();
+  const auto x = [](int i, int j, int k) { return Noise(i, j, k); };
+  const auto y = [](int i, int j, int k) { return Noise(j + 100, k, i); };
+  points->AddArray(MakeArray("x", n, n, n, x));
+  points->AddArray(MakeArray("y", n, n, n, y));
+  // An arch: determined by x, though hardly correlated with it.
+  points->AddArray(
+    MakeArray("arch", n, n, n, [&](int i, int j, int k) { return std::pow(x(i, j, k) - 1., 2.); }));
+  points->AddArray(
+    MakeArray("free", n, n, n, [](int i, int j, int k) { return Noise(k, i + 99, j); }));
+  // Only both axes together determine it.
+  points->AddArray(MakeArray("parity", n, n, n,
+    [&](int i, int j, int k) { return (x(i, j, k) > 1.) == (y(i, j, k) > 1.) ? 0. : 5.; }));
+  points->AddArray(MakeArray("constant", n, n, n, [](int, int, int) { return 3.; }));
+  vtkNew<vtkTFCCombinationScore> filter;
+  filter->SetInputData(image);
+  filter->SetPrimary("x");
+  filter->SetSecondary("y");
+  filter->Update();
+  vtkTable* table = filter->GetOutput();
+  EXPECT_LT(std::abs(Get(table, "arch", "correlation")), 0.05);
+  EXPECT_LT(Get(table, "arch", "separation"), 0.45) << "x leaves little open";
+  EXPECT_GT(Get(table, "arch", "conditional_mutual_information"), 1.);
+  EXPECT_LT(Get(table, "free", "mutual_information"), 0.01) << "independent";
+  EXPECT_GT(Get(table, "free", "separation"), 0.99);
+  EXPECT_NEAR(Get(table, "free", "new_information"), 3., 0.02) << "8 bins, all alike";
+  EXPECT_NEAR(Get(table, "parity", "mutual_information"), 1., 0.01);
+  EXPECT_NEAR(Get(table, "parity", "conditional_mutual_information"), 1., 0.01);
+  EXPECT_NEAR(Get(table, "parity", "new_information"), 0., 0.01);
+  EXPECT_EQ(Get(table, "constant", "new_information"), 0.);
+  EXPECT_TRUE(std::isnan(Get(table, "x", "new_information")));
+
+  filter->SetSecondary("None");
+  filter->Update();
+  EXPECT_NEAR(Get(filter->GetOutput(), "parity", "mutual_information"), 0., 0.01);
+  filter->MeasureInformationOff();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfColumns(), 5);
+}
+
+TEST(CombinationScore, BinsByBitDepth)
+{
+  auto image = MakeImage(N, N, N);
+  auto* points = image->GetPointData();
+  points->AddArray(MakeArray<vtkShortArray>("wide", N, N, N,
+    [](int x, int y, int z) { return x + N * y + N * N * z - 4000; }));
+  points->AddArray(MakeArray<vtkUnsignedCharArray>("bytes", N, N, N,
+    [](int x, int, int z) { return x + 10 * z; }));
+  points->AddArray(MakeArray("real", N, N, N, Noise));
+  vtkNew<vtkTFCCombinationScore> filter;
+  filter->SetInputData(image);
+  filter->Update();
+  const double real = Get(filter->GetOutput(), "real", "entropy");
+  const double bytes = Get(filter->GetOutput(), "bytes", "entropy");
+  EXPECT_LE(Get(filter->GetOutput(), "wide", "entropy"), 8.);
+  filter->SetNumberOfBins(0);
+  filter->Update();
+  EXPECT_NEAR(Get(filter->GetOutput(), "wide", "entropy"), std::log2(N * N * N), 1e-11);
+  EXPECT_EQ(Get(filter->GetOutput(), "bytes", "entropy"), bytes);
+  EXPECT_EQ(Get(filter->GetOutput(), "real", "entropy"), real);
+}
+
+TEST(CombinationScore, CellsGiveWhatPointsGive)
+{
+  const auto image = MakeAttributes();
+  auto cells = vtkSmartPointer<vtkImageData>::New();
+  cells->SetDimensions(N + 1, N + 1, N + 1);
+  for (const char* name : { "P", "TC", "free", "flag" })
+  {
+    cells->GetCellData()->AddArray(image->GetPointData()->GetArray(name));
+  }
+  vtkNew<vtkTFCCombinationScore> ofPoints, ofCells;
+  ofPoints->SetInputData(image);
+  ofCells->SetInputData(cells);
+  ofPoints->Update();
+  ofCells->Update();
+  for (const char* name : { "TC", "free", "flag" })
+  {
+    for (const char* column : { "correlation", "entropy", "score", "new_information" })
+    {
+      EXPECT_EQ(Get(ofCells->GetOutput(), name, column), Get(ofPoints->GetOutput(), name, column));
+    }
   }
 }

@@ -11,7 +11,7 @@ import scripttest
 import tfc
 
 examples = 0
-for name in ("colors", "display", "model", "plugin", "quality", "scoring"):
+for name in ("advice", "colors", "display", "model", "plugin", "quality", "scoring"):
     module = importlib.import_module("tfc." + name)
     runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
     for test in doctest.DocTestFinder().find(module):

@@ -49,7 +49,7 @@ raises(KeyError, lambda: tfc.score(source, "RTData", secondary="W:0"), "'W'")
 raises(ValueError, lambda: tfc.score(source, "RTData", balance=2), "Balance")
 raises(ValueError, lambda: tfc.score(source, "V"), "'V:0'", "magnitude")
 cells = simple.PointDatatoCellData(Input=source)
-raises(ValueError, lambda: tfc.score(cells, "RTData"), "Cell Data to Point Data")
+check([r.attribute for r in tfc.score(cells, "RTData", arrays=["R"])] == ["R", "RTData"], "cells")
 check(not simple.FindSource("tfc.score"), "nothing stays in the pipeline after errors")
 
 intervals = tfc.stability(source, "RTData", "R")
@@ -61,3 +61,7 @@ for interval in intervals:
     check(ranked == interval.ranking, "the ranking at %.3f: %s" % (middle, ranked))
 raises(ValueError, lambda: tfc.stability(source, "RTData", arrays=["RTData"]), "candidate")
 check(not simple.FindSource("tfc.score"), "and nothing stays in the pipeline")
+check("is first for" in intervals.summary and "a = 0.4" in intervals.summary, intervals.summary)
+check(sorted(intervals.over_bins) == [1, 2, 4, 8], "wider bins: %s" % intervals.over_bins)
+ranked = [r.attribute for r in tfc.score(source, "RTData", "R") if r.rank]
+check(intervals.over_bins[1] == ranked, "unmerged bins rank as the score does")

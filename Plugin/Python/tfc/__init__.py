@@ -15,16 +15,18 @@ Function Combinations", Computers & Graphics 36(6), 2012)::
         print(row)
 
 Everything is in data units. ``help(tfc.TransferFunction)`` has the details, ``tfc.show`` renders,
-``tfc.attributes`` computes attributes of a volume, ``tfc.score`` ranks them, ``tfc.quality``
-compares a transfer function with labels. The plugin is loaded when it is first needed.
+``tfc.attributes`` computes attributes of a volume, ``tfc.score`` ranks them, ``tfc.suggest``
+proposes axes, ``tfc.split`` says what to do in a region, ``tfc.quality`` compares a transfer
+function with labels. The plugin is loaded when it is first needed.
 """
 
+from .advice import Split, Suggestion, split, suggest
 from .attributes import attributes
 from .display import apply, show
 from .model import Region, TransferFunction, load
 from .plugin import load_plugin
 from .quality import LabelQuality, Quality, quality
-from .scoring import Interval, Score, score, stability
+from .scoring import Interval, Score, Stability, score, stability
 
 __all__ = [
     "Interval",
@@ -32,6 +34,9 @@ __all__ = [
     "Quality",
     "Region",
     "Score",
+    "Split",
+    "Stability",
+    "Suggestion",
     "TransferFunction",
     "apply",
     "attributes",
@@ -40,5 +45,7 @@ __all__ = [
     "quality",
     "score",
     "show",
+    "split",
     "stability",
+    "suggest",
 ]
