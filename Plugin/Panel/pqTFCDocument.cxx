@@ -213,11 +213,15 @@ void pqTFCDocument::collectAttributes()
     this->Attributes = std::move(attributes);
     Q_EMIT this->attributesChanged();
   }
+  this->Cache.setInput(this->isReady() ? this->Link.input() : nullptr, this->time());
+}
+
+//-----------------------------------------------------------------------------
+double pqTFCDocument::time() const
+{
   pqDataRepresentation* representation = this->Link.representation();
   pqView* view = representation ? representation->getView() : nullptr;
-  const double time =
-    view ? vtkSMPropertyHelper(view->getProxy(), "ViewTime", true).GetAsDouble() : 0;
-  this->Cache.setInput(this->isReady() ? this->Link.input() : nullptr, time);
+  return view ? vtkSMPropertyHelper(view->getProxy(), "ViewTime", true).GetAsDouble() : 0;
 }
 
 //-----------------------------------------------------------------------------

@@ -74,6 +74,9 @@ public:
   QString labelOf(const std::string& array, int component) const;
   ///@}
 
+  /// Time of the view that shows the data.
+  double time() const;
+
   /// Ranges of the axes as the renderer uses them; false without axes.
   bool axisRanges(double ranges[4]) const;
   /// Range of a region's tertiary attribute: its own, the data's, or that of its nodes.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTFCPanel.h"
 
+#include "pqTFCAdvice.h"
+#include "pqTFCAdviceDialog.h"
 #include "pqTFCAxisBar.h"
 #include "pqTFCChartWidget.h"
 #include "pqTFCDocument.h"
@@ -35,6 +37,7 @@
 pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   : Superclass(tr("Combined Transfer Functions"), parentObject)
   , Document(new pqTFCDocument(this))
+  , Advice(new pqTFCAdvice(this->Document, this))
 {
   auto* contents = new QWidget(this);
   contents->setObjectName("contents");
@@ -49,7 +52,7 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   this->Status->setObjectName("Status");
   auto* list = new pqTFCRegionList(this->Document, contents);
   auto* form = new pqTFCRegionForm(this->Document, contents);
-  this->Tertiary = new pqTFCTertiaryEditor(this->Document, contents);
+  this->Tertiary = new pqTFCTertiaryEditor(this->Document, this->Advice, contents);
 
   // Above the chart and what belongs to it, below the regions; the user decides on the parts.
   auto* top = new QWidget(contents);
@@ -113,7 +116,7 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   QObject::connect(this->Document, &pqTFCDocument::changed, this, &pqTFCPanel::onChanged);
   QObject::connect(this->Document, &pqTFCDocument::histogramsChanged, this,
     &pqTFCPanel::onHistograms);
-  new pqTFCProposal(this->Document, this);
+  new pqTFCProposal(this->Document, this->Advice, this);
   this->onTargetChanged();
 }
 
@@ -161,6 +164,17 @@ QToolBar* pqTFCPanel::makeTools()
   view->setPopupMode(QToolButton::InstantPopup);
   view->setMenu(this->makeHistogramMenu());
   bar->addWidget(view);
+  QAction* advice = bar->addAction(tr("Advice"));
+  advice->setObjectName("Advice");
+  advice->setToolTip(tr("Axes, tertiary attributes and splits that the data suggest"));
+  QObject::connect(advice, &QAction::triggered, this,
+    [this]()
+    {
+      auto* dialog = new pqTFCAdviceDialog(this->Document, this->Advice, this);
+      dialog->setAttribute(Qt::WA_DeleteOnClose);
+      dialog->show();
+    });
+  this->ReadyActions << advice;
   auto* file = new QToolButton(bar);
   file->setObjectName("FileMenu");
   file->setText(tr("File"));
@@ -310,6 +324,10 @@ void pqTFCPanel::onChanged(bool live)
   if (!live)
   {
     this->updateChart();
+  }
+  for (QAction* action : this->ReadyActions)
+  {
+    action->setEnabled(ready);
   }
   this->Chart->renderLater();
 }

@@ -19,6 +19,7 @@ class QAction;
 class QLabel;
 class QMenu;
 class QToolBar;
+class pqTFCAdvice;
 class pqTFCAxisBar;
 class pqTFCChartWidget;
 class pqTFCDocument;
@@ -74,14 +75,16 @@ private:
   void updateChart();
 
   pqTFCDocument* Document;
+  pqTFCAdvice* Advice;
   pqTFCChartWidget* Chart;
   pqTFCAxisBar* Axes;
   pqTFCTertiaryEditor* Tertiary;
   pqTFCMessageBar* Messages;
   QLabel* Status;
   QList<QAction*> Tools;
-  QStringList States; ///< in the order of stateNumber()
-  QString EditLabel;  ///< of the edit that goes on in the chart
+  QList<QAction*> ReadyActions; ///< need something to edit
+  QStringList States;           ///< in the order of stateNumber()
+  QString EditLabel;            ///< of the edit that goes on in the chart
 };
 
 #endif

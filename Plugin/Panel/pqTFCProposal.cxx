@@ -9,6 +9,7 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqServer.h"
+#include "pqTFCAdvice.h"
 #include "pqTFCDocument.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
@@ -70,9 +71,10 @@ pqPipelineSource* AddFilter(const char* name, const std::string& array, const QS
 }
 
 //-----------------------------------------------------------------------------
-pqTFCProposal::pqTFCProposal(pqTFCDocument* document, QObject* parentObject)
+pqTFCProposal::pqTFCProposal(pqTFCDocument* document, pqTFCAdvice* advice, QObject* parentObject)
   : Superclass(parentObject)
   , Document(document)
+  , Advice(advice)
 {
   this->Timer.setSingleShot(true);
   this->Timer.setInterval(0);
@@ -104,6 +106,15 @@ bool pqTFCProposal::proposeAxes()
   {
     return false;
   }
+  const auto pairs = this->Advice->pairs();
+  if (!pairs.empty() && this->Document->findAttribute(pairs[0].Primary, 0) &&
+    this->Document->findAttribute(pairs[0].Secondary, 0))
+  {
+    model->SetAxis(0, pairs[0].Primary.c_str(), 0);
+    model->SetAxis(1, pairs[0].Secondary.c_str(), 0);
+    return true;
+  }
+  // No pair: data with a single attribute, or with vectors only.
   const auto usable = [](const pqTFCAttribute& a) { return a.Range[0] < a.Range[1]; };
   const pqTFCAttribute* primary = nullptr;
   pqDataRepresentation* representation = this->Document->link()->representation();

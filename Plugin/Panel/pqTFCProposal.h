@@ -5,9 +5,9 @@
  * @brief A first picture: fills an empty transfer function with axes and regions, and adds the
  * filters that give a dataset what it lacks.
  *
- * Axes: the array that colours the data, or the first one, and its gradient magnitude or else the
- * next array. Regions: vtkTFCProposal. Only when somebody chooses "Combined Volume" with an empty
- * transfer function, so that undo can bring back the empty one.
+ * Axes: the first pair of the filter AxisSuggestion; where it has none, the array that colours the
+ * data, or the first one, with the next array. Regions: vtkTFCProposal. Only when somebody chooses
+ * "Combined Volume" with an empty transfer function, so that undo can bring back the empty one.
  */
 
 #ifndef pqTFCProposal_h
@@ -17,6 +17,7 @@
 #include <QTimer>
 
 class pqPipelineSource;
+class pqTFCAdvice;
 class pqTFCDocument;
 
 class pqTFCProposal : public QObject
@@ -25,7 +26,7 @@ class pqTFCProposal : public QObject
   typedef QObject Superclass;
 
 public:
-  pqTFCProposal(pqTFCDocument* document, QObject* parent = nullptr);
+  pqTFCProposal(pqTFCDocument* document, pqTFCAdvice* advice, QObject* parent = nullptr);
   ~pqTFCProposal() override;
 
   /// Add the filter that makes a uniform grid of the active data, and show it.
@@ -44,6 +45,7 @@ private:
   bool proposeAxes();
 
   pqTFCDocument* Document;
+  pqTFCAdvice* Advice;
   QTimer Timer;
 };
 

@@ -4,6 +4,7 @@
 
 #include "pqTFCDocument.h"
 #include "pqTFCField.h"
+#include "pqTFCTertiaryBox.h"
 #include "pqTransferFunctionWidget.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
@@ -13,7 +14,6 @@
 #include "vtkTable.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -53,7 +53,8 @@ void MakeColorNodes(vtkColorTransferFunction* function, vtkDoubleArray* nodes)
 }
 
 //-----------------------------------------------------------------------------
-pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, QWidget* parentObject)
+pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* advice,
+  QWidget* parentObject)
   : Superclass(parentObject)
   , Document(document)
 {
@@ -64,12 +65,7 @@ pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, QWidget* paren
   layout->setVerticalSpacing(2);
 
   auto* label = new QLabel(tr("&Tertiary"), this);
-  this->Attribute = new QComboBox(this);
-  this->Attribute->setObjectName("Attribute");
-  this->Attribute->setAccessibleName(tr("Tertiary attribute of the region"));
-  this->Attribute->setToolTip(
-    tr("The attribute that decides within the region. None: all voxels of the region show."));
-  this->Attribute->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  this->Attribute = new pqTFCTertiaryBox(document, advice, this);
   label->setBuddy(this->Attribute);
   this->UseColors = new QCheckBox(tr("Co&lours"), this);
   this->UseColors->setObjectName("UseColors");
@@ -124,41 +120,25 @@ pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, QWidget* paren
     QObject::connect(widget, &pqTransferFunctionWidget::controlPointsModified, this,
       &pqTFCTertiaryEditor::onPointsModified);
   }
-  QObject::connect(this->Attribute, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+  QObject::connect(this->Attribute, &pqTFCTertiaryBox::chosen, this,
     &pqTFCTertiaryEditor::onAttribute);
   QObject::connect(this->UseColors, &QCheckBox::toggled, this, &pqTFCTertiaryEditor::onUseColors);
   QObject::connect(this->Points, &pqTFCField::editingFinished, this,
     &pqTFCTertiaryEditor::onPointsTyped);
   QObject::connect(document, &pqTFCDocument::attributesChanged, this,
-    &pqTFCTertiaryEditor::fillAttributes);
+    &pqTFCTertiaryEditor::refresh);
   QObject::connect(document, &pqTFCDocument::changed, this, &pqTFCTertiaryEditor::refresh);
-  QObject::connect(document, &pqTFCDocument::selectionChanged, this,
-    [this]() { this->refresh(false); });
+  QObject::connect(document, &pqTFCDocument::selectionChanged, this, [this]() { this->refresh(); });
   QObject::connect(document, &pqTFCDocument::histogramsChanged, this,
-    [this]() { this->refresh(false); });
-  this->fillAttributes();
+    [this]() { this->refresh(); });
+  this->refresh();
 }
 
 //-----------------------------------------------------------------------------
 pqTFCTertiaryEditor::~pqTFCTertiaryEditor() = default;
 
 //-----------------------------------------------------------------------------
-void pqTFCTertiaryEditor::fillAttributes()
-{
-  {
-    const QSignalBlocker blocker(this->Attribute);
-    this->Attribute->clear();
-    this->Attribute->addItem(tr("None"));
-    for (const pqTFCAttribute& attribute : this->Document->attributes())
-    {
-      this->Attribute->addItem(attribute.Label);
-    }
-  }
-  this->refresh(false);
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCTertiaryEditor::refresh(bool live)
+void pqTFCTertiaryEditor::refresh()
 {
   vtkTFCRegion* region = this->Document->activeRegion();
   const bool editable = region && this->Document->isReady();
@@ -167,24 +147,6 @@ void pqTFCTertiaryEditor::refresh(bool live)
   this->setEnabled(editable && !region->GetLocked());
   this->Functions->setVisible(hasTertiary);
   this->UseColors->setVisible(hasTertiary);
-  const int known = 1 + static_cast<int>(this->Document->attributes().size());
-  while (this->Attribute->count() > known)
-  {
-    this->Attribute->removeItem(known);
-  }
-  int index = 0;
-  if (hasTertiary)
-  {
-    const QString label =
-      this->Document->labelOf(region->GetTertiaryArray(), region->GetTertiaryComponent());
-    index = this->Attribute->findText(label);
-    if (index < 0)
-    {
-      this->Attribute->addItem(label);
-      index = known;
-    }
-  }
-  this->Attribute->setCurrentIndex(index);
   this->Total = -1;
   if (hasTertiary)
   {
@@ -195,7 +157,6 @@ void pqTFCTertiaryEditor::refresh(bool live)
     }
     this->showHistogram(region);
   }
-  Q_UNUSED(live);
   this->Refreshing = false;
 }
 
@@ -308,21 +269,20 @@ void pqTFCTertiaryEditor::showHistogram(vtkTFCRegion* region)
 void pqTFCTertiaryEditor::onAttribute(int index)
 {
   vtkTFCRegion* region = this->Document->activeRegion();
-  const auto& attributes = this->Document->attributes();
-  if (this->Refreshing || !region || index < 0 || index > static_cast<int>(attributes.size()))
+  if (!region)
   {
     return;
   }
   this->Document->edit(tr("Change tertiary attribute"),
     [&]()
     {
-      if (index == 0)
+      if (index < 0)
       {
         region->RemoveTertiary();
         return;
       }
       // All voxels of the region stay visible until the user says otherwise.
-      const pqTFCAttribute& attribute = attributes[index - 1];
+      const pqTFCAttribute& attribute = this->Document->attributes()[index];
       if (region->HasTertiary() && region->GetTertiaryArray() == attribute.Array &&
         region->GetTertiaryComponent() == attribute.Component)
       {
@@ -438,7 +398,7 @@ void pqTFCTertiaryEditor::onPointsTyped()
       "Expected pairs of numbers, value and opacity: values increasing, opacities from 0 to 1."));
     this->Points->show(QString(), true);
     this->Shown.clear();
-    this->refresh(false);
+    this->refresh();
     return;
   }
   this->Points->accept();

@@ -20,10 +20,11 @@
 #include <vector>
 
 class QCheckBox;
-class QComboBox;
 class QLabel;
+class pqTFCAdvice;
 class pqTFCDocument;
 class pqTFCField;
+class pqTFCTertiaryBox;
 class pqTransferFunctionWidget;
 class vtkColorTransferFunction;
 class vtkPiecewiseFunction;
@@ -35,7 +36,7 @@ class pqTFCTertiaryEditor : public QWidget
   typedef QWidget Superclass;
 
 public:
-  pqTFCTertiaryEditor(pqTFCDocument* document, QWidget* parent = nullptr);
+  pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* advice, QWidget* parent = nullptr);
   ~pqTFCTertiaryEditor() override;
 
   /// Sum of the histogram that is shown: voxels in the region. -1 while there is none.
@@ -45,9 +46,8 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private Q_SLOTS:
-  void fillAttributes();
-  void refresh(bool live);
-  void onAttribute(int index);
+  void refresh();
+  void onAttribute(int attribute);
   void onPointsModified();
   void onPointsTyped();
   void onUseColors(bool use);
@@ -60,7 +60,7 @@ private:
   void write(vtkTFCRegion* region);
 
   pqTFCDocument* Document;
-  QComboBox* Attribute;
+  pqTFCTertiaryBox* Attribute;
   QCheckBox* UseColors;
   QWidget* Functions;
   pqTransferFunctionWidget* Opacity;
