@@ -20,6 +20,7 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
 #include "vtkTFCProposal.h"
+#include "vtkTFCRegion.h"
 #include "vtkTFCSparseHistogram.h"
 #include "vtkTFCTransferFunction.h"
 
@@ -168,6 +169,10 @@ void pqTFCProposal::propose()
     proposal->ProposeRegions(plane, model);
   }
   this->Document->commit(tr("Propose transfer function"));
+  if (model->GetNumberOfRegions() > 0)
+  {
+    this->Document->setSelection({ model->GetRegion(0)->GetId() });
+  }
 }
 
 //-----------------------------------------------------------------------------

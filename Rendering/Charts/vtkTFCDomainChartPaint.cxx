@@ -41,8 +41,8 @@ void vtkTFCDomainChart::Layout(vtkContext2D* painter)
       const double size = map.Ranges[2 * i + 1] - low;
       vtkAxis* axis = this->Axes[i];
       axis->GetPen()->SetWidth(static_cast<float>(map.Scale));
-      axis->SetTickLength(static_cast<float>(4 * map.Scale));
-      axis->SetLabelOffset(static_cast<float>(6 * map.Scale));
+      axis->SetTickLength(static_cast<float>(3 * map.Scale));
+      axis->SetLabelOffset(static_cast<float>(8 * map.Scale));
       axis->SetMargins(static_cast<int>(6 * map.Scale), static_cast<int>(6 * map.Scale));
       axis->SetPoint1(static_cast<float>(map.Plot[0]), static_cast<float>(map.Plot[1]));
       axis->SetPoint2(static_cast<float>(map.Plot[0] + (i == 0 ? map.Plot[2] : 0)),

@@ -19,8 +19,14 @@ vtkStandardNewMacro(vtkTFCProposal);
 namespace
 {
 constexpr int GRID = 64;
+constexpr int SMOOTHINGS = 4; // of variance 1 each: a standard deviation of 2 bins
 constexpr double BACKGROUND_SHARE = 0.25;
 constexpr double WIDTH = 2.5; // standard deviations
+// Ratio of a peak to its pass: a clear one, and one that will do while there are fewer than ENOUGH.
+constexpr double CLEAR = 3;
+constexpr double WEAK = 1.1;
+constexpr size_t ENOUGH = 2;
+constexpr double APART = 0.08; // axis units
 
 using Plane = std::vector<double>;
 
@@ -193,7 +199,11 @@ int vtkTFCProposal::ProposeRegions(vtkTFCSparseHistogram* histogram, vtkTFCTrans
   }
   const Plane counts = Coarsen(histogram);
   const double total = std::accumulate(counts.begin(), counts.end(), 0.);
-  Plane heights = Smooth(Smooth(counts, 1, 0), 0, 1);
+  Plane heights = counts;
+  for (int i = 0; i < SMOOTHINGS; ++i)
+  {
+    heights = Smooth(Smooth(heights, 1, 0), 0, 1);
+  }
   for (double& height : heights)
   {
     height = std::log1p(height);
@@ -201,23 +211,37 @@ int vtkTFCProposal::ProposeRegions(vtkTFCSparseHistogram* histogram, vtkTFCTrans
   std::vector<int> basin;
   std::vector<Peak> peaks = FindPeaks(heights, basin);
   const auto prominence = [](const Peak& peak) { return peak.Height - peak.Pass; };
-  peaks.erase(std::remove_if(peaks.begin() + 1, peaks.end(),
-                [&](const Peak& peak) { return prominence(peak) < std::log(3.); }),
-    peaks.end());
   for (Peak& peak : peaks)
   {
     Measure(peak, counts, heights, basin);
   }
   // The first one is the highest.
-  if (peaks.size() > 1 && peaks[0].Count > BACKGROUND_SHARE * total)
+  const Peak highest = peaks[0];
+  if (highest.Count > BACKGROUND_SHARE * total)
   {
     peaks.erase(peaks.begin());
   }
   std::stable_sort(peaks.begin(), peaks.end(),
     [&](const Peak& a, const Peak& b) { return prominence(a) > prominence(b); });
-  if (peaks.size() > static_cast<size_t>(this->MaximumNumberOfRegions))
+  std::vector<Peak> chosen;
+  for (const Peak& peak : peaks)
   {
-    peaks.resize(this->MaximumNumberOfRegions);
+    const bool apart = std::none_of(chosen.begin(), chosen.end(),
+      [&](const Peak& other)
+      {
+        return std::hypot(peak.Center[0] - other.Center[0], peak.Center[1] - other.Center[1]) <
+          APART + other.Radii[1];
+      });
+    const double least = std::log(chosen.size() < ENOUGH ? WEAK : CLEAR);
+    if (peak.Count > 0 && apart && prominence(peak) > least &&
+      chosen.size() < static_cast<size_t>(this->MaximumNumberOfRegions))
+    {
+      chosen.push_back(peak);
+    }
+  }
+  if (chosen.empty())
+  {
+    chosen.push_back(highest);
   }
 
   double x[2];
@@ -226,7 +250,7 @@ int vtkTFCProposal::ProposeRegions(vtkTFCSparseHistogram* histogram, vtkTFCTrans
   histogram->GetRange(1, y);
   tf->RemoveAllRegions();
   int number = 0;
-  for (const Peak& peak : peaks)
+  for (const Peak& peak : chosen)
   {
     vtkTFCRegion* region = tf->AddNewRegion("ellipse");
     auto* ellipse = vtkTFCEllipseShape::SafeDownCast(region->GetShape());
