@@ -5,6 +5,7 @@
 #include "pqCoreUtilities.h"
 #include "pqFileDialog.h"
 #include "pqTFCDocument.h"
+#include "pqTFCMapDialog.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkTFCRegion.h"
@@ -102,7 +103,27 @@ bool pqTFCPresets::open(const QString& path)
                             file.isOpen() ? tr("it is too large") : file.errorString()));
     return false;
   }
-  return this->Document->replace(tr("Open transfer function"), QString::fromUtf8(file.readAll()));
+  // In a model of its own first: what it names may not be in these data.
+  vtkNew<vtkTFCTransferFunction> model;
+  Silence(model);
+  if (!this->Document->isReady() || !model->SetState(file.readAll().constData()))
+  {
+    this->Document->say(
+      tr("%1 is not a transfer function. %2")
+        .arg(QFileInfo(path).fileName(), QString::fromStdString(model->GetLastError())));
+    return false;
+  }
+  pqTFCMapDialog dialog(this->Document, model, pqCoreUtilities::mainWidget());
+  if (dialog.isNeeded())
+  {
+    if (dialog.exec() != QDialog::Accepted)
+    {
+      return false;
+    }
+    dialog.apply();
+  }
+  return this->Document->replace(tr("Open transfer function"),
+    QString::fromStdString(model->GetState()));
 }
 
 //-----------------------------------------------------------------------------

@@ -24,6 +24,7 @@ using Point = vtkTFCOutline::Point;
 
 // Samples of the weight along one side: finer than anybody sees in a soft edge.
 constexpr int LARGEST_PICTURE = 160;
+constexpr double ROOM_FOR_SIDES = 14; // points of 1/72 inch
 
 double FalloffPosition(const vtkTFCRegion* region)
 {
@@ -80,7 +81,19 @@ std::vector<vtkTFCOutline::Handle> vtkTFCRegionItem::GetHandles() const
 {
   const Point pixel = this->Mapping->PixelSize();
   const double margin = 16 * this->Mapping->Scale;
-  return this->GetOutline().GetHandles({ margin * pixel[0], margin * pixel[1] });
+  const vtkTFCOutline outline = this->GetOutline();
+  auto handles = outline.GetHandles({ margin * pixel[0], margin * pixel[1] });
+  if (outline.IsBox() &&
+    std::min(outline.HalfSize[0] / pixel[0], outline.HalfSize[1] / pixel[1]) <
+      ROOM_FOR_SIDES * this->Mapping->Scale)
+  {
+    // On a small region the handles would cover each other: the corners do all that sides do.
+    handles.erase(std::remove_if(handles.begin(), handles.end(),
+                    [](const vtkTFCOutline::Handle& handle)
+                    { return handle.Kind == vtkTFCOutline::Handles::Side; }),
+      handles.end());
+  }
+  return handles;
 }
 
 bool vtkTFCRegionItem::GetWidthHandle(Point& position) const
@@ -282,10 +295,13 @@ void vtkTFCRegionItem::PaintName(vtkContext2D* painter)
   const Point top = map.ToPixel({ (bounds[0] + bounds[1]) / 2, bounds[3] });
   const Point bottom = map.ToPixel({ (bounds[0] + bounds[1]) / 2, bounds[2] });
   const auto& plot = map.Plot;
-  // Below the region: handles are above it. Kept inside the plot.
+  // Below the region, because a handle is above it; where there is no room, above that. Kept inside
+  // the plot.
   const double x =
     std::clamp(top[0], plot[0] + w / 2, std::max(plot[0] + w / 2, plot[0] + plot[2] - w / 2));
-  const double y = std::clamp(bottom[1] - h / 2 - 8 * map.Scale, plot[1] + h / 2,
+  const double below = bottom[1] - h / 2 - 8 * map.Scale;
+  const double above = top[1] + h / 2 + 28 * map.Scale;
+  const double y = std::clamp(below < plot[1] + h / 2 ? above : below, plot[1] + h / 2,
     std::max(plot[1] + h / 2, plot[1] + plot[3] - h / 2));
   const double ground = map.Dark ? 0.12 : 1.0;
   painter->GetPen()->SetOpacityF(0);
