@@ -7,6 +7,7 @@
 #include "vtkTFCTransferFunction.h"
 
 #include <QColor>
+#include <QIcon>
 #include <QPixmap>
 #include <QStringList>
 
@@ -94,7 +95,12 @@ QVariant pqTFCRegionModel::data(const QModelIndex& index, int role) const
   {
     double color[3];
     region->GetColor(color);
-    return QColor::fromRgbF(color[0], color[1], color[2]);
+    // An icon with a selected state of its own: Qt would tint a plain colour in a selected row.
+    QPixmap swatch(16, 16);
+    swatch.fill(QColor::fromRgbF(color[0], color[1], color[2]));
+    QIcon icon(swatch);
+    icon.addPixmap(swatch, QIcon::Selected);
+    return icon;
   }
   if (role == Qt::AccessibleTextRole && index.column() == Name)
   {

@@ -5,11 +5,12 @@
  * @brief Regions for data that nobody has classified yet: the peaks of the joint histogram.
  *
  * A peak is a maximum of the logarithm of the counts, on bins of at least 1/64 of each axis and
- * smoothed with a standard deviation of two of them (binomial weights). Its prominence is its height
- * above the pass to the next higher peak (the persistence of topological data analysis). The most
- * prominent peaks are taken: those that rise to three times their pass, and weaker ones, from 1.1
- * times, while there are fewer than two; none beside one that is taken already. The highest peak is
- * left out as background when it holds more than a quarter of all voxels and there are others.
+ * smoothed with a standard deviation of two of them (binomial weights). Its prominence is its
+ * height above the pass to the next higher peak (the persistence of topological data analysis). The
+ * most prominent peaks are taken: those that rise to three times their pass, and weaker ones,
+ * from 1.1 times, while there are fewer than two; none beside one that is taken already. The
+ * highest peak is left out as background when it holds more than a quarter of all voxels and there
+ * are others.
  *
  * Each peak becomes an ellipse: mean and covariance of the counts around it, down to a tenth of its
  * height or to the pass, 2.5 standard deviations wide. Populations of many voxels get a low
