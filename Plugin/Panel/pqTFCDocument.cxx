@@ -198,6 +198,8 @@ void pqTFCDocument::collectAttributes()
           attribute.Label += tr(" (cells)");
         }
         array->GetComponentFiniteRange(c, attribute.Range);
+        attribute.Integral =
+          c >= 0 && array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
         attributes.push_back(attribute);
       }
     }
@@ -295,8 +297,14 @@ void pqTFCDocument::tertiaryRange(vtkTFCRegion* region, double range[2]) const
 //-----------------------------------------------------------------------------
 pqTFCAxis pqTFCDocument::axis(int index, const double ranges[4]) const
 {
-  return { this->Model->GetAxisArray(index), this->Model->GetAxisComponent(index),
-    { ranges[2 * index], ranges[2 * index + 1] } };
+  pqTFCAxis axis;
+  axis.Array = this->Model->GetAxisArray(index);
+  axis.Component = this->Model->GetAxisComponent(index);
+  axis.Range[0] = ranges[2 * index];
+  axis.Range[1] = ranges[2 * index + 1];
+  const pqTFCAttribute* attribute = this->findAttribute(axis.Array, axis.Component);
+  axis.Integral = attribute && attribute->Integral;
+  return axis;
 }
 
 //-----------------------------------------------------------------------------
@@ -324,7 +332,9 @@ vtkTFCSparseHistogram* pqTFCDocument::joint(vtkTFCRegion* region)
   {
     return nullptr;
   }
-  pqTFCAxis tertiary = { region->GetTertiaryArray(), region->GetTertiaryComponent(), { 0, 1 } };
+  pqTFCAxis tertiary;
+  tertiary.Array = region->GetTertiaryArray();
+  tertiary.Component = region->GetTertiaryComponent();
   this->tertiaryRange(region, tertiary.Range);
   return this->Cache.request(this->axis(0, ranges), this->axis(1, ranges), tertiary);
 }

@@ -34,6 +34,7 @@ struct pqTFCAttribute
   int Component = 0;
   QString Label;
   double Range[2] = { 0, 1 }; ///< finite extent over all processes
+  bool Integral = false;      ///< an array of integers
 };
 
 class pqTFCDocument : public QObject

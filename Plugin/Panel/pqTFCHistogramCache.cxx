@@ -17,6 +17,8 @@
 #include "vtkTFCSparseHistogram.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <tuple>
 
 namespace
@@ -28,6 +30,22 @@ constexpr int JOINT_BINS = 128;
 constexpr int TERTIARY_BINS = 64;
 constexpr size_t MOST_ENTRIES = 12;
 constexpr int DELAY = 150; // ms: after the view was drawn
+
+// Bins of whole numbers hold equally many of them, where a number of bins near the wanted one
+// allows that: otherwise the histogram has stripes.
+int BinsOf(const pqTFCAxis& axis, int wanted)
+{
+  const double size = axis.Range[1] - axis.Range[0];
+  for (double width = std::ceil(size / wanted);
+       axis.Integral && size > wanted && width <= 3 * size / wanted; ++width)
+  {
+    if (std::fmod(size, width) == 0)
+    {
+      return std::max(1, static_cast<int>(size / width));
+    }
+  }
+  return wanted;
+}
 
 void SetAxis(vtkSMProxy* filter, int axis, const pqTFCAxis& values, int bins)
 {
@@ -44,7 +62,7 @@ void SetAxis(vtkSMProxy* filter, int axis, const pqTFCAxis& values, int bins)
   range.Set(2, QString::number(values.Range[1], 'g', 17).toUtf8().constData());
   vtkSMPropertyHelper count(filter, (name + "Bins").c_str());
   count.Set(0, axis);
-  count.Set(1, bins);
+  count.Set(1, BinsOf(values, bins));
 }
 }
 

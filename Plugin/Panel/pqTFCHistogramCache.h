@@ -33,6 +33,7 @@ struct pqTFCAxis
   std::string Array;
   int Component = 0;
   double Range[2] = { 0, 1 };
+  bool Integral = false; ///< values are whole numbers
   bool operator<(const pqTFCAxis& other) const;
 };
 

@@ -79,7 +79,7 @@ pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* a
   this->Opacity = new pqTransferFunctionWidget(this->Functions);
   this->Opacity->setObjectName("Opacity");
   this->Opacity->setAccessibleName(tr("Opacity over the tertiary attribute"));
-  this->Opacity->setMinimumHeight(80);
+  this->Opacity->setMinimumHeight(110);
   this->Colors = new pqTransferFunctionWidget(this->Functions);
   this->Colors->setObjectName("Colors");
   this->Colors->setAccessibleName(tr("Colours over the tertiary attribute"));
