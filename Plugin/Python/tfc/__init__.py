@@ -16,7 +16,7 @@ Function Combinations", Computers & Graphics 36(6), 2012)::
 
 Everything is in data units. ``help(tfc.TransferFunction)`` has the details, ``tfc.show`` renders,
 ``tfc.attributes`` computes attributes of a volume, ``tfc.score`` ranks them, ``tfc.suggest``
-proposes axes, ``tfc.split`` says what to do in a region, ``tfc.quality`` compares a transfer
+proposes axes, ``tfc.propose`` a first transfer function, ``tfc.split`` says what to do in a region, ``tfc.quality`` compares a transfer
 function with labels. The plugin is loaded when it is first needed.
 """
 
@@ -25,6 +25,7 @@ from .attributes import attributes
 from .display import apply, show
 from .model import Region, TransferFunction, load
 from .plugin import load_plugin
+from .proposal import propose
 from .quality import LabelQuality, Quality, quality
 from .scoring import Interval, Score, Stability, score, stability
 
@@ -42,6 +43,7 @@ __all__ = [
     "attributes",
     "load",
     "load_plugin",
+    "propose",
     "quality",
     "score",
     "show",
