@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCAttributeAgreement.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
@@ -93,8 +97,10 @@ std::vector<Attribute> FromDescription(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-vtkTFCAttributeAgreement::vtkTFCAttributeAgreement(vtkMultiProcessController* controller)
+vtkTFCAttributeAgreement::vtkTFCAttributeAgreement(vtkMultiProcessController* controller,
+  std::vector<double> fillValues)
   : Controller(controller)
+  , FillValues(std::move(fillValues))
 {
 }
 
@@ -113,28 +119,49 @@ void vtkTFCAttributeAgreement::CheckScoring(double balance, int bins)
 }
 
 //------------------------------------------------------------------------------
-bool vtkTFCAttributeAgreement::Find(vtkDataSet* input, const std::vector<std::string>& names,
+bool vtkTFCAttributeAgreement::Find(vtkDataObject* input, const std::vector<std::string>& names,
   const std::vector<std::string>& axes)
 {
-  const bool isEmpty = input->GetNumberOfPoints() == 0;
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  std::vector<vtkDataSet*> blocks = vtkCompositeDataSet::GetDataSets<vtkDataSet>(input);
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
+                 [](vtkDataSet* block) { return block->GetNumberOfPoints() == 0; }),
+    blocks.end());
+  const bool isEmpty = blocks.empty();
+  int association = -1;
+  std::vector<std::vector<Attribute>> ofBlocks(blocks.size());
   std::string& problem = this->Problem;
-  if (problem.empty() && !isEmpty)
+  for (size_t b = 0; b < blocks.size() && problem.empty(); ++b)
   {
     std::string others;
-    problem = FindAttributes(input, names, axes, this->Attributes, association, others);
+    int found;
+    problem = FindAttributes(blocks[b], names, axes, ofBlocks[b], found, others);
+    if (problem.empty() && b > 0 &&
+      (found != association || Describe(ofBlocks[b]) != Describe(ofBlocks[0])))
+    {
+      problem = "The blocks hold different arrays, or in another order. List those that all have "
+                "in Arrays.";
+    }
+    association = found;
     if (problem.empty() && !others.empty())
     {
       this->Warning = "Arrays of points and of cells cannot be compared. Left out: " + others +
         ". Convert them with Cell Data to Point Data, or take them off Arrays.";
     }
   }
+  if (!isEmpty)
+  {
+    this->Attributes = ofBlocks[0];
+  }
 
-  // From here on every process takes the same way, whatever it found.
-  double kind = isEmpty ? -1. : association;
-  vtkTFCDistributedImage(input, 0, this->Controller).Maximum(&kind, 1);
-  this->Image = std::make_unique<vtkTFCDistributedImage>(input, std::max(0, static_cast<int>(kind)),
-    this->Controller);
+  // From here on every process takes the same way, whatever it found. A single dataset is a piece
+  // of one whole; the blocks of a composite one are not.
+  vtkNew<vtkImageData> nothing;
+  double kind = problem.empty() ? association : -1.;
+  vtkTFCDistributedImage(nothing, 0, this->Controller).Maximum(&kind, 1);
+  const int common = std::max(0, static_cast<int>(kind));
+  const bool composite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
+  this->Image = std::make_unique<vtkTFCDistributedImage>(
+    composite || isEmpty ? nothing.Get() : blocks[0], common, this->Controller);
   if (!this->Image->Any(!isEmpty) && problem.empty())
   {
     problem = "The input is empty. Connect a volume with at least one point.";
@@ -152,6 +179,12 @@ bool vtkTFCAttributeAgreement::Find(vtkDataSet* input, const std::vector<std::st
       ? "Another process cannot use its piece of the input: see the message there."
       : problem;
     return false;
+  }
+  for (size_t b = 0; b < blocks.size(); ++b)
+  {
+    auto owned = composite ? vtkTFCDistributedImage(blocks[b], common, nullptr).GetOwnedSamples()
+                           : this->Image->GetOwnedSamples();
+    this->Samples.Add(blocks[b], common, ofBlocks[b], std::move(owned), this->FillValues);
   }
   if (isEmpty)
   {

@@ -17,13 +17,13 @@
 #include <string>
 #include <vector>
 
-class vtkDataSet;
+class vtkDataObject;
 class vtkMultiProcessController;
 
 class vtkTFCAttributeAgreement
 {
 public:
-  explicit vtkTFCAttributeAgreement(vtkMultiProcessController* controller);
+  vtkTFCAttributeAgreement(vtkMultiProcessController* controller, std::vector<double> fillValues);
 
   /**
    * Note what is wrong with the parameters of scores: balance in [0, 1); bins 0 or 2 to 65536.
@@ -33,9 +33,10 @@ public:
   /**
    * Collective. Find the attributes `names` and `axes`; without names, all single-component numeric
    * arrays. Of arrays of points and of cells, those of the first axis' kind, or of the first
-   * name's, are taken, with a warning. Returns false, on all processes, when something is wrong.
+   * name's, are taken, with a warning. All leaves of composite data count together. Returns false,
+   * on all processes, when something is wrong.
    */
-  bool Find(vtkDataSet* input, const std::vector<std::string>& names,
+  bool Find(vtkDataObject* input, const std::vector<std::string>& names,
     const std::vector<std::string>& axes);
 
   const std::string& GetProblem() const { return this->Problem; }
@@ -43,19 +44,23 @@ public:
 
   ///@{
   /**
-   * After a successful Find(). The arrays are null on a process without samples.
+   * After a successful Find(). The arrays are null on a process without samples, and those of the
+   * first block otherwise. The image is for reductions; samples without those of others.
    */
   const std::vector<vtkTFCAttributeSamples::Attribute>& GetAttributes() const
   {
     return this->Attributes;
   }
   const vtkTFCDistributedImage& GetImage() const { return *this->Image; }
+  const vtkTFCAttributeSamples& GetSamples() const { return this->Samples; }
   ///@}
 
 private:
   vtkMultiProcessController* Controller;
   std::vector<vtkTFCAttributeSamples::Attribute> Attributes;
   std::unique_ptr<vtkTFCDistributedImage> Image;
+  std::vector<double> FillValues;
+  vtkTFCAttributeSamples Samples;
   std::string Problem, Warning;
 };
 

@@ -9,6 +9,7 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -126,7 +127,7 @@ std::string FindAll(const Kind& kind, std::vector<Attribute>& found)
       std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) != 0)
     {
       Attribute attribute;
-      const std::string problem = FindOne(kind, { array->GetName(), 0 }, attribute);
+      std::string problem = FindOne(kind, { array->GetName(), 0 }, attribute);
       if (!problem.empty())
       {
         return problem;
@@ -176,7 +177,7 @@ std::string vtkTFCAttributeSamples::Find(vtkDataSet* data, const std::vector<Req
     association = kind.Association;
     if (requests.empty())
     {
-      const std::string problem = FindAll(kind, found);
+      std::string problem = FindAll(kind, found);
       if (!problem.empty() || !found.empty())
       {
         return problem;
@@ -188,7 +189,7 @@ std::string vtkTFCAttributeSamples::Find(vtkDataSet* data, const std::vector<Req
       for (const Request& request : requests)
       {
         Attribute attribute;
-        const std::string problem = FindOne(kind, request, attribute);
+        std::string problem = FindOne(kind, request, attribute);
         if (!problem.empty())
         {
           return problem;
@@ -204,58 +205,66 @@ std::string vtkTFCAttributeSamples::Find(vtkDataSet* data, const std::vector<Req
 }
 
 //------------------------------------------------------------------------------
-vtkTFCAttributeSamples::vtkTFCAttributeSamples(vtkDataSet* data, int association,
-  std::vector<Attribute> attributes, std::vector<unsigned char> owned,
+void vtkTFCAttributeSamples::Add(vtkDataSet* data, int association,
+  const std::vector<Attribute>& attributes, std::vector<unsigned char> owned,
   const std::vector<double>& fillValues)
-  : Attributes(std::move(attributes))
-  , Owned(std::move(owned))
-  , Fill(fillValues)
-  , Hidden(vtkTFCSamples::GetHiddenBit(association))
 {
+  Part part;
+  part.Attributes = attributes;
+  part.Owned = std::move(owned);
+  part.Fill = fillValues;
+  part.Hidden = vtkTFCSamples::GetHiddenBit(association);
   const bool cells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  this->Count = cells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-  vtkDataSetAttributes* arrays = data->GetPointData();
-  if (cells)
+  part.First = this->GetNumberOfBlocks() * BlockSize;
+  part.Count = cells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  auto* ghosts = vtkTFCSamples::GetGhosts(data->GetAttributes(association));
+  if (ghosts && ghosts->GetNumberOfValues() == part.Count)
   {
-    arrays = data->GetCellData();
+    part.Ghosts = ghosts->GetPointer(0);
   }
-  auto* ghosts = vtkTFCSamples::GetGhosts(arrays);
-  if (ghosts && ghosts->GetNumberOfValues() == this->Count)
+  for (const Attribute& attribute : attributes)
   {
-    this->Ghosts = ghosts->GetPointer(0);
+    auto* floats = vtkFloatArray::SafeDownCast(attribute.Array);
+    const bool plain = floats && floats->GetNumberOfComponents() == 1 && attribute.Component == 0;
+    part.Floats.push_back(plain ? floats->GetPointer(0) : nullptr);
   }
   for (const double value : fillValues)
   {
-    this->FloatFill.push_back(static_cast<double>(static_cast<float>(value)));
+    part.FloatFill.push_back(static_cast<double>(static_cast<float>(value)));
   }
+  const vtkIdType blocks = (part.Count + BlockSize - 1) / BlockSize;
+  this->PartOfBlock.insert(this->PartOfBlock.end(), static_cast<size_t>(blocks),
+    static_cast<std::uint32_t>(this->Parts.size()));
+  this->Parts.push_back(std::move(part));
 }
 
 //------------------------------------------------------------------------------
-void vtkTFCAttributeSamples::ReadRaw(size_t i, vtkIdType first, vtkIdType count, double* out) const
+void vtkTFCAttributeSamples::ReadRaw(const Part& part, size_t i, vtkIdType first, vtkIdType count,
+  double* out)
 {
-  const Attribute& attribute = this->Attributes[i];
+  const Attribute& attribute = part.Attributes[i];
   vtkTFCSamples::Read(attribute.Array, attribute.Component, first, count, out);
 }
 
 //------------------------------------------------------------------------------
-void vtkTFCAttributeSamples::RemoveOthers(size_t i, vtkIdType first, vtkIdType count,
-  double* out) const
+void vtkTFCAttributeSamples::RemoveOthers(const Part& part, size_t i, vtkIdType first,
+  vtkIdType count, double* out)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const bool isFloat = this->Attributes[i].Array->GetDataType() == VTK_FLOAT;
-  for (const double fill : isFloat ? this->FloatFill : this->Fill)
+  const bool isFloat = part.Attributes[i].Array->GetDataType() == VTK_FLOAT;
+  for (const double fill : isFloat ? part.FloatFill : part.Fill)
   {
     for (vtkIdType s = 0; s < count; ++s)
     {
       out[s] = out[s] == fill ? nan : out[s];
     }
   }
-  for (vtkIdType s = 0; this->Ghosts && s < count; ++s)
+  for (vtkIdType s = 0; part.Ghosts && s < count; ++s)
   {
-    out[s] = (this->Ghosts[first + s] & this->Hidden) ? nan : out[s];
+    out[s] = (part.Ghosts[first + s] & part.Hidden) ? nan : out[s];
   }
-  for (vtkIdType s = 0; !this->Owned.empty() && s < count; ++s)
+  for (vtkIdType s = 0; !part.Owned.empty() && s < count; ++s)
   {
-    out[s] = this->Owned[first + s] ? out[s] : nan;
+    out[s] = part.Owned[first + s] ? out[s] : nan;
   }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkTFCAttributeSamples
- * @brief Several attributes of a dataset, found by name and read in chunks as doubles.
+ * @brief Several attributes of datasets, found by name and read in chunks as doubles.
  *
  * An attribute is an array of points or of cells: `name` of a single-component one, `name:2` for a
  * component (from 0), `name:magnitude` for the Euclidean norm. All attributes are of points when
@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -67,14 +68,17 @@ public:
   static constexpr vtkIdType ChunkSize = 2048;
 
   /**
-   * `owned` has one byte per sample, or none when all of them count. The fill values of a float
-   * array are the nearest floats.
+   * Add the samples of a dataset, which must stay as it is. The attributes are the same, in the
+   * same order, for all of them. `owned` has one byte per sample, or none when all of them count.
+   * The fill values of a float array are the nearest floats.
    */
-  vtkTFCAttributeSamples(vtkDataSet* data, int association, std::vector<Attribute> attributes,
+  void Add(vtkDataSet* data, int association, const std::vector<Attribute>& attributes,
     std::vector<unsigned char> owned, const std::vector<double>& fillValues);
 
-  vtkIdType GetNumberOfSamples() const { return this->Count; }
-  vtkIdType GetNumberOfBlocks() const { return (this->Count + BlockSize - 1) / BlockSize; }
+  /**
+   * Blocks of all datasets, one after the other: no block reaches over the end of one.
+   */
+  vtkIdType GetNumberOfBlocks() const { return static_cast<vtkIdType>(this->PartOfBlock.size()); }
 
   /**
    * body(first, count) for the chunks of one block.
@@ -82,7 +86,8 @@ public:
   template <typename Body>
   void ForChunks(vtkIdType block, Body&& body) const
   {
-    const vtkIdType end = std::min(this->Count, (block + 1) * BlockSize);
+    const Part& part = this->Parts[this->PartOfBlock[static_cast<size_t>(block)]];
+    const vtkIdType end = std::min(part.First + part.Count, (block + 1) * BlockSize);
     for (vtkIdType first = block * BlockSize; first < end; first += ChunkSize)
     {
       body(first, std::min(ChunkSize, end - first));
@@ -90,33 +95,55 @@ public:
   }
 
   /**
-   * Samples [first, first + count) of attribute `i` in data units.
+   * Samples [first, first + count) of attribute `i` in data units, as ForChunks() gives them.
    */
   void Read(size_t i, vtkIdType first, vtkIdType count, double* out) const
   {
-    this->ReadRaw(i, first, count, out);
     constexpr double largest = std::numeric_limits<double>::max() / 4;
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    for (vtkIdType s = 0; s < count; ++s)
+    const Part& part = this->Parts[this->PartOfBlock[static_cast<size_t>(first / BlockSize)]];
+    const vtkIdType local = first - part.First;
+    // Plain floats, the normal case, are converted here, in the caller's instruction set.
+    if (const float* floats = part.Floats[i])
     {
-      out[s] = std::fabs(out[s]) <= largest ? out[s] : nan;
+      for (vtkIdType s = 0; s < count; ++s)
+      {
+        const auto value = static_cast<double>(floats[local + s]);
+        out[s] = std::fabs(value) <= largest ? value : nan;
+      }
     }
-    if (this->Ghosts || !this->Owned.empty() || !this->Fill.empty())
+    else
     {
-      this->RemoveOthers(i, first, count, out);
+      ReadRaw(part, i, local, count, out);
+      for (vtkIdType s = 0; s < count; ++s)
+      {
+        out[s] = std::fabs(out[s]) <= largest ? out[s] : nan;
+      }
+    }
+    if (part.Ghosts || !part.Owned.empty() || !part.Fill.empty())
+    {
+      RemoveOthers(part, i, local, count, out);
     }
   }
 
 private:
-  void ReadRaw(size_t i, vtkIdType first, vtkIdType count, double* out) const;
-  void RemoveOthers(size_t i, vtkIdType first, vtkIdType count, double* out) const;
+  struct Part
+  {
+    std::vector<Attribute> Attributes;
+    std::vector<const float*> Floats; ///< per attribute; null when it is not a list of floats
+    std::vector<unsigned char> Owned;
+    std::vector<double> Fill, FloatFill;
+    vtkIdType First = 0; ///< number of its first sample: that of its first block
+    vtkIdType Count = 0;
+    const unsigned char* Ghosts = nullptr;
+    unsigned char Hidden = 0;
+  };
+  static void ReadRaw(const Part& part, size_t i, vtkIdType first, vtkIdType count, double* out);
+  static void RemoveOthers(const Part& part, size_t i, vtkIdType first, vtkIdType count,
+    double* out);
 
-  std::vector<Attribute> Attributes;
-  std::vector<unsigned char> Owned;
-  std::vector<double> Fill, FloatFill;
-  vtkIdType Count = 0;
-  const unsigned char* Ghosts = nullptr;
-  unsigned char Hidden = 0;
+  std::vector<Part> Parts;
+  std::vector<std::uint32_t> PartOfBlock;
 };
 
 #endif

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <mutex>
 
@@ -23,38 +25,40 @@ constexpr vtkIdType ChunkSize = Reader::ChunkSize;
 constexpr int WidestMerge = 8;
 
 //------------------------------------------------------------------------------
+// Eight doubles, and what comparing them gives. The compiler makes of them what the instruction set
+// has; it does not turn a loop over lanes with conditions into that by itself.
+using Lanes = double __attribute__((vector_size(64)));
+using Masks = std::int64_t __attribute__((vector_size(64)));
+
+//------------------------------------------------------------------------------
 /**
- * Add samples to a summary, in eight lanes, which the compiler may vectorise without reordering.
+ * Add samples to a summary, in eight lanes, which are the same on every processor.
  */
 inline void Summarize(const double* values, vtkIdType count, Summary& sum)
 {
   constexpr int width = 8;
-  double counts[width] = {}, sums[width] = {}, minima[width], maxima[width];
-  std::fill_n(minima, width, sum.Minimum);
-  std::fill_n(maxima, width, sum.Maximum);
-  const auto add = [&](vtkIdType s, int lane)
+  Lanes sums = {}, minima = Lanes{} + sum.Minimum, maxima = Lanes{} + sum.Maximum;
+  Masks counts = {};
+  for (vtkIdType s = 0; s < count; s += width)
   {
-    const double v = values[s];
-    counts[lane] += v == v ? 1. : 0.;
-    sums[lane] += v == v ? v : 0.;
-    minima[lane] = v < minima[lane] ? v : minima[lane];
-    maxima[lane] = v > maxima[lane] ? v : maxima[lane];
-  };
-  vtkIdType s = 0;
-  for (; s + width <= count; s += width)
-  {
-    for (int lane = 0; lane < width; ++lane)
+    Lanes v = Lanes{} + std::numeric_limits<double>::quiet_NaN();
+    if (s + width <= count)
     {
-      add(s + lane, lane);
+      std::memcpy(&v, values + s, sizeof(v));
     }
-  }
-  for (; s < count; ++s)
-  {
-    add(s, 0);
+    else
+    {
+      std::memcpy(&v, values + s, sizeof(double) * static_cast<size_t>(count - s));
+    }
+    const Masks valid = v == v; // -1 where it is
+    counts -= valid;
+    sums += valid ? v : Lanes{};
+    minima = v < minima ? v : minima;
+    maxima = v > maxima ? v : maxima;
   }
   for (int lane = 0; lane < width; ++lane)
   {
-    sum.Count += counts[lane];
+    sum.Count += static_cast<double>(counts[lane]);
     sum.Sum += sums[lane];
     sum.Minimum = std::min(sum.Minimum, minima[lane]);
     sum.Maximum = std::max(sum.Maximum, maxima[lane]);

@@ -7,7 +7,7 @@
 #include "vtkTFCAttributeInformation.h"
 #include "vtkTFCAttributeStatistics.h"
 
-#include "vtkDataSet.h"
+#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -238,6 +238,7 @@ void vtkTFCAxisSuggestion::ClearFillValues()
 int vtkTFCAxisSuggestion::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
@@ -245,8 +246,8 @@ int vtkTFCAxisSuggestion::FillInputPortInformation(int, vtkInformation* info)
 int vtkTFCAxisSuggestion::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
-  vtkTFCAttributeAgreement agreement(this->Controller);
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+  vtkTFCAttributeAgreement agreement(this->Controller, this->FillValues);
   agreement.CheckScoring(this->Balance, this->NumberOfBins);
   const bool agreed = agreement.Find(input, this->Arrays, {});
   if (!agreement.GetWarning().empty())
@@ -260,8 +261,7 @@ int vtkTFCAxisSuggestion::RequestData(vtkInformation*, vtkInformationVector** in
   }
   const std::vector<Attribute>& attributes = agreement.GetAttributes();
   const vtkTFCDistributedImage& image = agreement.GetImage();
-  const vtkTFCAttributeSamples samples(input, image.GetAssociation(), attributes,
-    image.GetOwnedSamples(), this->FillValues);
+  const vtkTFCAttributeSamples& samples = agreement.GetSamples();
   vtkTFCAttributeStatistics::Result statistics;
   if (!vtkTFCAttributeStatistics::Compute(samples, image, attributes, this->NumberOfBins, this,
         statistics))
@@ -307,9 +307,13 @@ int vtkTFCAxisSuggestion::RequestData(vtkInformation*, vtkInformationVector** in
       constexpr double nan = std::numeric_limits<double>::quiet_NaN();
       if (p == 0 && rank <= 1)
       {
-        summary = "Use " + primary + " and " + secondary + " as the axes" +
-          (none ? "; there is no candidate for the tertiary attribute"
-                : " and " + attributes[i].Label + " as the tertiary attribute");
+        summary = "Use ";
+        summary += primary;
+        summary += " and ";
+        summary += secondary;
+        summary += " as the axes";
+        summary += none ? "; there is no candidate for the tertiary attribute" : " and ";
+        summary += none ? "" : attributes[i].Label + " as the tertiary attribute";
       }
       if (fill)
       {

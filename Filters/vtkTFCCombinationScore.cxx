@@ -9,7 +9,7 @@
 #include "vtkTFCAttributeStatistics.h"
 #include "vtkTFCDistributedImage.h"
 
-#include "vtkDataSet.h"
+#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -211,6 +211,7 @@ void vtkTFCCombinationScore::ClearFillValues()
 int vtkTFCCombinationScore::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
@@ -218,7 +219,7 @@ int vtkTFCCombinationScore::FillInputPortInformation(int, vtkInformation* info)
 int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   std::vector<std::string> axes;
   for (const char* axis : { this->Primary, this->Secondary })
   {
@@ -227,7 +228,7 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
       axes.emplace_back(axis);
     }
   }
-  vtkTFCAttributeAgreement agreement(this->Controller);
+  vtkTFCAttributeAgreement agreement(this->Controller, this->FillValues);
   agreement.CheckScoring(this->Balance, this->NumberOfBins);
   const bool agreed = agreement.Find(input, this->Arrays, axes);
   if (!agreement.GetWarning().empty())
@@ -244,8 +245,7 @@ int vtkTFCCombinationScore::RequestData(vtkInformation*, vtkInformationVector** 
 
   const int primary = IsSet(this->Primary) ? std::max(0, FindLabel(attributes, this->Primary)) : 0;
   const int secondary = IsSet(this->Secondary) ? FindLabel(attributes, this->Secondary) : -1;
-  const vtkTFCAttributeSamples samples(input, image.GetAssociation(), attributes,
-    image.GetOwnedSamples(), this->FillValues);
+  const vtkTFCAttributeSamples& samples = agreement.GetSamples();
   vtkTFCAttributeStatistics::Result statistics;
   std::vector<tfc::Information> information;
   if (!vtkTFCAttributeStatistics::Compute(samples, image, attributes, this->NumberOfBins, this,

@@ -31,10 +31,11 @@
  * Histograms: NumberOfBins equal bins between minimum and maximum, or one bin per value for integer
  * arrays whose range fits (see Kernels/TFCHistogram.h).
  *
- * On several processes every point counts once and the numbers are those of one process (up to
- * rounding). TablesOnAllProcesses says who gets the rows. Structured pieces share faces, which is
- * taken care of; the pieces of an unstructured grid must flag shared points as duplicates.
- * All processes of the controller must update the filter together.
+ * Of composite data all leaves are taken together. On several processes every point counts once and
+ * the numbers are those of one process (up to rounding). TablesOnAllProcesses says who gets the
+ * rows. Structured pieces share faces, which is taken care of; the pieces of an unstructured grid
+ * must flag shared points as duplicates. All processes of the controller must update the filter
+ * together.
  *
  * Three threaded passes over the data (range and mean; sums and histograms; information) in
  * doubles; results do not depend on the number of threads. Memory: 1 byte per point on several

@@ -91,15 +91,14 @@ std::pair<double, double> FindRange(const Samples& samples, size_t attribute)
 }
 
 //------------------------------------------------------------------------------
-bool CountBlock(const Samples& samples, const vtkTFCSparseHistogram* axes, bool hasTertiary,
-  vtkAlgorithm* owner, const double progress[2], std::vector<tfc::KeyCount>& list)
+bool Count(const vtkTFCAttributeSamples& samples, const vtkTFCSparseHistogram* axes,
+  bool hasTertiary, vtkAlgorithm* owner, std::vector<tfc::KeyCount>& list)
 {
   const size_t numberOfAxes = hasTertiary ? 3 : 2;
   // As many workspaces as threads run at once: tables grow once, not once per range.
   std::vector<std::unique_ptr<Workspace>> idle;
   std::mutex exchanging;
-  const bool done = vtkTFCThreads::ForWithProgress(0, samples.GetNumberOfBlocks(), 1, owner,
-    progress[0], progress[1],
+  const bool done = vtkTFCThreads::ForWithProgress(0, samples.GetNumberOfBlocks(), 1, owner, 0., 1.,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::unique_ptr<Workspace> work;

@@ -33,12 +33,11 @@ constexpr int TertiaryBits = 16;
 std::pair<double, double> FindRange(const vtkTFCAttributeSamples& samples, size_t attribute);
 
 /**
- * Add the samples of one block, whose first two or three attributes are the axes, to a list of
- * merged counts. `axes` has the ranges and bins. Returns false when the owner was aborted.
+ * Count the samples, whose first two or three attributes are the axes: a merged list. `axes` has
+ * the ranges and bins. Returns false when the owner was aborted.
  */
-bool CountBlock(const vtkTFCAttributeSamples& samples, const vtkTFCSparseHistogram* axes,
-  bool hasTertiary, vtkAlgorithm* owner, const double progress[2],
-  std::vector<tfc::KeyCount>& list);
+bool Count(const vtkTFCAttributeSamples& samples, const vtkTFCSparseHistogram* axes,
+  bool hasTertiary, vtkAlgorithm* owner, std::vector<tfc::KeyCount>& list);
 
 /**
  * Collective. Replace the counts of this process by those of all.

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 vtkStandardNewMacro(vtkTFCJointHistogram);
@@ -244,33 +245,28 @@ std::string vtkTFCJointHistogram::Compute(const std::vector<vtkDataSet*>& blocks
   // A single dataset is a piece of one whole; the blocks of a composite one are not.
   const bool composite =
     vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) != nullptr;
-  std::vector<Samples> samples;
-  samples.reserve(blocks.size() + 1);
+  Samples samples;
   if (!composite)
   {
     vtkDataSet* piece = blocks.empty() ? nothing.Get() : blocks[0];
     const vtkTFCDistributedImage image(piece, association, this->Controller);
     if (!blocks.empty())
     {
-      samples.emplace_back(piece, association, attributes[0], image.GetOwnedSamples(),
-        std::vector<double>());
+      samples.Add(piece, association, attributes[0], image.GetOwnedSamples(), {});
     }
   }
   for (size_t b = 0; b < blocks.size() && composite; ++b)
   {
     const vtkTFCDistributedImage image(blocks[b], association, nullptr);
-    samples.emplace_back(blocks[b], association, attributes[b], image.GetOwnedSamples(),
-      std::vector<double>());
+    samples.Add(blocks[b], association, attributes[b], image.GetOwnedSamples(), {});
   }
 
   for (size_t axis = 0; axis < requests.size(); ++axis)
   {
     double range[2] = { Infinity, -Infinity };
-    for (size_t b = 0; b < samples.size() && !this->Axes[axis].HasRange; ++b)
+    if (!this->Axes[axis].HasRange)
     {
-      const auto found = vtkTFCJointCounts::FindRange(samples[b], axis);
-      range[0] = std::min(range[0], found.first);
-      range[1] = std::max(range[1], found.second);
+      std::tie(range[0], range[1]) = vtkTFCJointCounts::FindRange(samples, axis);
     }
     peers.Minimum(range, 1);
     peers.Maximum(range + 1, 1);
@@ -287,15 +283,7 @@ std::string vtkTFCJointHistogram::Compute(const std::vector<vtkDataSet*>& blocks
   }
 
   std::vector<tfc::KeyCount> list;
-  bool done = true;
-  for (size_t b = 0; b < samples.size() && done; ++b)
-  {
-    const auto parts = static_cast<double>(samples.size());
-    const double progress[2] = { static_cast<double>(b) / parts,
-      static_cast<double>(b + 1) / parts };
-    done =
-      vtkTFCJointCounts::CountBlock(samples[b], this->Histogram, hasTertiary, this, progress, list);
-  }
+  const bool done = vtkTFCJointCounts::Count(samples, this->Histogram, hasTertiary, this, list);
   if (peers.All(done))
   {
     vtkTFCJointCounts::Reduce(peers, list);

@@ -95,22 +95,6 @@ void vtkTFCSparseHistogram::GetRange(int axis, double range[2]) const
 }
 
 //------------------------------------------------------------------------------
-int vtkTFCSparseHistogram::GetBin(int axis, double value) const
-{
-  const Axis& a = this->Axes[std::min(2, std::max(0, axis))];
-  if (!(value >= a.Minimum && value <= a.Maximum))
-  {
-    return -1;
-  }
-  if (a.Minimum == a.Maximum)
-  {
-    return 0;
-  }
-  const double bin = (value - a.Minimum) / (a.Maximum - a.Minimum) * a.Bins;
-  return std::min(a.Bins - 1, static_cast<int>(bin));
-}
-
-//------------------------------------------------------------------------------
 double vtkTFCSparseHistogram::GetBinCenter(int axis, int bin) const
 {
   const Axis& a = this->Axes[std::min(2, std::max(0, axis))];

@@ -26,8 +26,9 @@
 #include "vtkTFCFiltersModule.h" // For export macro
 #include "vtkWrappingHints.h"    // For VTK_WRAPEXCLUDE
 
-#include <array>  // For axes
-#include <vector> // For entries
+#include <algorithm> // For std::min
+#include <array>     // For axes
+#include <vector>    // For entries
 
 class VTKTFCFILTERS_EXPORT vtkTFCSparseHistogram : public vtkObject
 {
@@ -52,7 +53,20 @@ public:
   /**
    * Bin of a value on an axis; -1 for NaN and for values outside.
    */
-  int GetBin(int axis, double value) const;
+  int GetBin(int axis, double value) const
+  {
+    const Axis& a = this->Axes[static_cast<size_t>(std::min(2, std::max(0, axis)))];
+    if (!(value >= a.Minimum && value <= a.Maximum))
+    {
+      return -1;
+    }
+    if (a.Minimum == a.Maximum)
+    {
+      return 0;
+    }
+    const double bin = (value - a.Minimum) / (a.Maximum - a.Minimum) * a.Bins;
+    return std::min(a.Bins - 1, static_cast<int>(bin));
+  }
 
   /**
    * Value in the middle of a bin, data units.

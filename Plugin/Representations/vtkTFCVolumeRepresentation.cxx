@@ -6,6 +6,8 @@
 #include "vtkTFCTransferFunction.h"
 #include "vtkTFCVolumeMapper.h"
 
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -13,11 +15,52 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
 #include "vtkPVView.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <limits>
+#include <vector>
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+// The image and rectilinear grids in `data` as images, which share their arrays; the geometry of
+// grids is lost.
+std::vector<vtkSmartPointer<vtkImageData>> CollectLattices(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> parts;
+  if (vtkCompositeDataSet::SafeDownCast(data))
+  {
+    parts = vtkCompositeDataSet::GetDataSets<vtkDataSet>(data);
+  }
+  else if (auto* part = vtkDataSet::SafeDownCast(data))
+  {
+    parts = { part };
+  }
+  std::vector<vtkSmartPointer<vtkImageData>> lattices;
+  for (vtkDataSet* part : parts)
+  {
+    if (auto* image = vtkImageData::SafeDownCast(part))
+    {
+      lattices.push_back(image);
+    }
+    else if (auto* grid = vtkRectilinearGrid::SafeDownCast(part))
+    {
+      auto lattice = vtkSmartPointer<vtkImageData>::New();
+      lattice->SetExtent(grid->GetExtent());
+      lattice->GetPointData()->ShallowCopy(grid->GetPointData());
+      lattice->GetCellData()->ShallowCopy(grid->GetCellData());
+      lattices.push_back(lattice);
+    }
+  }
+  return lattices;
+}
+
+}
 
 vtkStandardNewMacro(vtkTFCVolumeRepresentation);
 
@@ -51,6 +94,12 @@ void vtkTFCVolumeRepresentation::SetTransferFunction(const char* state)
 void vtkTFCVolumeRepresentation::SetSampleDistance(double distance)
 {
   this->GetMapper()->SetSampleDistance(distance);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetMemoryLimit(int megabytes)
+{
+  this->GetMapper()->SetMemoryLimit(megabytes);
 }
 
 //------------------------------------------------------------------------------
@@ -136,19 +185,22 @@ void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
   std::fill(local, local + 4, std::numeric_limits<double>::infinity());
   vtkTFCCompiledModel model = this->Model->Compile();
   model.Attributes.resize(2);
-  vtkTFCAttributeReader reader;
-  std::string error; // the mapper reports it
-  auto* image = vtkImageData::SafeDownCast(this->Cache);
-  if (image && reader.Bind(image, model.Attributes, error))
+  for (const auto& image : CollectLattices(this->Cache))
   {
+    vtkTFCAttributeReader reader;
+    std::string error; // the mapper reports it
+    if (!reader.Bind(image, model.Attributes, error))
+    {
+      continue;
+    }
     for (int axis = 0; axis < 2; ++axis)
     {
       double range[2];
       reader.FiniteRange(axis, range);
       if (range[0] <= range[1])
       {
-        local[2 * axis] = range[0];
-        local[2 * axis + 1] = -range[1];
+        local[2 * axis] = std::min(local[2 * axis], range[0]);
+        local[2 * axis + 1] = std::min(local[2 * axis + 1], -range[1]);
       }
     }
   }

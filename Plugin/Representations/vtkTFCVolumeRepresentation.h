@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkTFCVolumeRepresentation
- * @brief ParaView's "Combined Volume": a vtkImageData ray cast with a combined transfer function.
+ * @brief ParaView's "Combined Volume": images ray cast with a combined transfer function.
  *
  * Thin: the picture is vtkTFCVolumeMapper's. This class gives the mapper its model and properties,
  * asks the pipeline for one layer of ghost cells (so that shading is the same on both sides of a
@@ -39,6 +39,11 @@ public:
    * World distance between samples along a ray; 0: half the mean spacing. Default: 0.
    */
   void SetSampleDistance(double distance);
+
+  /**
+   * MiB of textures on the GPU at a time, 0 for no limit. Default: 0.
+   */
+  void SetMemoryLimit(int megabytes);
 
   /**
    * 27-bit mask of the cropping regions that stay visible while cropping is on, as

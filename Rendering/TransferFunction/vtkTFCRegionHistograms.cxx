@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCRegionHistograms.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -80,6 +83,44 @@ std::string FindRanges(vtkDataObject* input, const std::vector<vtkTFCAttribute>&
   }
   return problem;
 }
+
+//------------------------------------------------------------------------------
+// Passes the progress of an inner filter to its owner, and the owner's abort flag to it.
+class Forwarding
+{
+public:
+  Forwarding(vtkAlgorithm* inner, vtkAlgorithm* owner, double begin, double end)
+    : Inner(inner)
+    , Owner(owner)
+    , Begin(begin)
+    , End(end)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(this);
+    command->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+      { static_cast<Forwarding*>(self)->Forward(); });
+    this->Tag = inner->AddObserver(vtkCommand::ProgressEvent, command);
+  }
+  ~Forwarding() { this->Inner->RemoveObserver(this->Tag); }
+  Forwarding(const Forwarding&) = delete;
+  void operator=(const Forwarding&) = delete;
+
+private:
+  void Forward()
+  {
+    this->Owner->UpdateProgress(
+      this->Begin + (this->End - this->Begin) * this->Inner->GetProgress());
+    if (this->Owner->GetAbortExecute())
+    {
+      this->Inner->SetAbortExecute(1);
+    }
+  }
+
+  vtkAlgorithm* Inner;
+  vtkAlgorithm* Owner;
+  double Begin, End;
+  unsigned long Tag;
+};
 
 //------------------------------------------------------------------------------
 // An extent that bins can divide: empty becomes [0, 1].
@@ -165,7 +206,7 @@ std::string vtkTFCRegionHistograms::Update(vtkDataObject* input, vtkTFCTransferF
   const size_t own = attributes.size();
   attributes.insert(attributes.end(), extra.begin(), extra.end());
   std::vector<double> extents;
-  const std::string problem = FindRanges(input, attributes, controller, extents);
+  std::string problem = FindRanges(input, attributes, controller, extents);
   if (!problem.empty())
   {
     return problem;
@@ -219,7 +260,9 @@ std::string vtkTFCRegionHistograms::Update(vtkDataObject* input, vtkTFCTransferF
     this->GetOrMake(nullptr, nullptr);
   }
 
+  this->Aborted = false;
   size_t done = 0;
+  const auto total = static_cast<double>(this->Joints.size());
   for (auto joint = this->Joints.begin(); joint != this->Joints.end();)
   {
     if (!joint->second.Used)
@@ -233,13 +276,23 @@ std::string vtkTFCRegionHistograms::Update(vtkDataObject* input, vtkTFCTransferF
       filter->SetController(controller);
       filter->SetInputDataObject(input);
       filter->Modified();
+      const Forwarding forwarding(filter, owner, static_cast<double>(done) / total,
+        static_cast<double>(done + 1) / total);
       filter->Update();
       // The data are those of the pipeline, not ours to keep.
       filter->SetInputDataObject(nullptr);
+      // Once one process was stopped, what all have is of no use.
+      std::vector<double> complete{ filter->GetAbortExecute() ? 0. : 1. };
+      Minimum(controller, complete);
+      filter->SetAbortExecute(0);
+      if (complete[0] == 0.)
+      {
+        this->Aborted = true;
+        return {};
+      }
       joint->second.Stale = false;
     }
     ++done;
-    owner->UpdateProgress(static_cast<double>(done) / static_cast<double>(this->Joints.size()));
     ++joint;
   }
 

@@ -63,6 +63,12 @@ public:
     const std::vector<vtkTFCAttribute>& extra = {});
 
   /**
+   * Whether the owner of the latest Update() was aborted: then there are no histograms. The same on
+   * all processes.
+   */
+  bool WasAborted() const { return this->Aborted; }
+
+  /**
    * The joint histogram of one of the tertiary attributes, or of none: their planes are the same.
    */
   const vtkTFCSparseHistogram* GetJoint() const;
@@ -102,6 +108,7 @@ private:
   vtkTFCAttribute Axes[2];
   double Ranges[2][2];
   int Bins = 0;
+  bool Aborted = false;
   vtkDataObject* Input = nullptr; ///< only compared
   vtkMTimeType InputTime = 0;
 };

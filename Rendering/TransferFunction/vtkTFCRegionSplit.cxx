@@ -333,6 +333,10 @@ int vtkTFCRegionSplit::RequestData(vtkInformation*, vtkInformationVector** input
     return 1;
   }
 
+  if (this->Internal->Histograms.WasAborted())
+  {
+    return 1;
+  }
   std::vector<Row> rows;
   const std::vector<int>& ids = this->Internal->Histograms.GetRegionIds();
   for (size_t region = 0; region < ids.size(); ++region)

@@ -185,6 +185,11 @@ int vtkTFCTransferFunctionHistogram::RequestData(vtkInformation*, vtkInformation
     return 1;
   }
 
+  if (this->Internal->Histograms.WasAborted())
+  {
+    return 1;
+  }
+
   // The image is on all processes: one whose image lacks what was asked for would update again,
   // alone, and wait for the others for ever.
   FillPlane(this->Internal->Histograms.GetJoint(), vtkImageData::GetData(outputs, 0));

@@ -27,38 +27,6 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-// Everything that packing reads, by identity and modification time. Times are unique in a process,
-// so a new array at an old address is noticed; a shallow copy of the dataset is not a change.
-std::string MakeFingerprint(vtkImageData* source, const std::vector<vtkTFCAttribute>& attributes)
-{
-  std::ostringstream key;
-  key.precision(17);
-  for (const int i : { 0, 1, 2, 3, 4, 5 })
-  {
-    key << source->GetExtent()[i] << ' ';
-  }
-  for (const int i : { 0, 1, 2 })
-  {
-    key << source->GetOrigin()[i] << ' ' << source->GetSpacing()[i] << ' ';
-  }
-  for (int i = 0; i < 9; ++i)
-  {
-    key << source->GetDirectionMatrix()->GetData()[i] << ' ';
-  }
-  const auto add = [&key](vtkAbstractArray* array)
-  { key << array << '@' << (array ? array->GetMTime() : 0) << ' '; };
-  add(source->GetPointGhostArray());
-  add(source->GetCellGhostArray());
-  for (const auto& attribute : attributes)
-  {
-    add(source->GetPointData()->GetAbstractArray(attribute.Array.c_str()));
-    add(source->GetCellData()->GetAbstractArray(attribute.Array.c_str()));
-    key << attribute.Component << ' ';
-  }
-  return key.str();
-}
-
-//------------------------------------------------------------------------------
 // One array of ghost flags into NaNs of the packed values.
 void ApplyBlanking(vtkUnsignedCharArray* ghosts, unsigned char hidden, vtkIdType count,
   int channels, float* packed)
@@ -107,6 +75,39 @@ void RepeatLayers(const int source[3], const int packed[3], int channels, float*
   }
 }
 
+}
+
+//------------------------------------------------------------------------------
+// Times are unique in a process, so a new array at an old address is noticed; a shallow copy of the
+// dataset is not a change.
+std::string vtkTFCAttributePacker::MakeFingerprint(vtkImageData* source,
+  const std::vector<vtkTFCAttribute>& attributes)
+{
+  std::ostringstream key;
+  key.precision(17);
+  for (const int i : { 0, 1, 2, 3, 4, 5 })
+  {
+    key << source->GetExtent()[i] << ' ';
+  }
+  for (const int i : { 0, 1, 2 })
+  {
+    key << source->GetOrigin()[i] << ' ' << source->GetSpacing()[i] << ' ';
+  }
+  for (int i = 0; i < 9; ++i)
+  {
+    key << source->GetDirectionMatrix()->GetData()[i] << ' ';
+  }
+  const auto add = [&key](vtkAbstractArray* array)
+  { key << array << '@' << (array ? array->GetMTime() : 0) << ' '; };
+  add(source->GetPointGhostArray());
+  add(source->GetCellGhostArray());
+  for (const auto& attribute : attributes)
+  {
+    add(source->GetPointData()->GetAbstractArray(attribute.Array.c_str()));
+    add(source->GetCellData()->GetAbstractArray(attribute.Array.c_str()));
+    key << attribute.Component << ' ';
+  }
+  return key.str();
 }
 
 //------------------------------------------------------------------------------
@@ -227,6 +228,11 @@ bool vtkTFCAttributePacker::Update(vtkImageData* source,
     vtkTFCStoredAttribute storage;
     storage.Channel = static_cast<int>(c);
     reader.FiniteRange(static_cast<int>(c), range);
+    if (c < 2)
+    {
+      this->AxisRanges[c] = { range[0] <= range[1] ? range[0] : 1.0,
+        range[0] <= range[1] ? range[1] : 0.0 };
+    }
     if (range[0] <= range[1])
     {
       storage.Offset = range[0];

@@ -31,6 +31,7 @@
 
 #include "vtkSmartPointer.h" // For the image
 
+#include <array>  // For ranges
 #include <string> // For error messages
 #include <vector> // For lists
 
@@ -53,6 +54,11 @@ public:
   /// Whether the image holds what its channels were packed from, unmodified, in `source`.
   bool IsCurrent(vtkImageData* source) const;
 
+  /// What packing `attributes` of `source` reads, by identity and modification time: equal as long
+  /// as nothing of it has changed.
+  static std::string MakeFingerprint(vtkImageData* source,
+    const std::vector<vtkTFCAttribute>& attributes);
+
   /// The packed image: same geometry as the source but for one-voxel-thick axes. Null before
   /// Update().
   vtkImageData* GetImage() const { return this->Image; }
@@ -60,6 +66,8 @@ public:
   bool IsCellData() const { return this->CellData; }
   /// The part of the image's point extent that this block draws: without ghost cells.
   const int* GetOwnedExtent() const { return this->OwnedExtent; }
+  /// Finite values of axis 0 or 1; (1, 0) where there are none.
+  std::array<double, 2> GetRange(int axis) const { return this->AxisRanges[axis]; }
   /// How attribute i of the last Update() is stored.
   const std::vector<vtkTFCStoredAttribute>& GetStored() const { return this->Stored; }
   /// Grows whenever Image is packed anew.
@@ -74,6 +82,7 @@ private:
   std::vector<vtkTFCAttribute> Channels;
   std::vector<vtkTFCStoredAttribute> ChannelStorage;
   std::vector<vtkTFCStoredAttribute> Stored;
+  std::array<std::array<double, 2>, 2> AxisRanges = {};
   int OwnedExtent[6] = { 0, -1, 0, -1, 0, -1 };
   bool CellData = false;
   unsigned int Generation = 0;

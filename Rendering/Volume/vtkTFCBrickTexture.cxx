@@ -14,7 +14,7 @@ bool vtkTFCBrickTexture::Upload(vtkOpenGLRenderWindow* context,
   {
     return true;
   }
-  const bool created = this->Create(context, dimensions, VTK_UNSIGNED_CHAR, distances.data());
+  const bool created = this->CreateBytes(context, dimensions, distances.data());
   this->SetFilter(vtkTextureObject::Nearest);
   this->Generation = created ? generation : 0;
   return created;

@@ -3,8 +3,8 @@
 #include "vtkTFCRayCastMapper.h"
 
 #include "vtkTFCBrickTexture.h"
+#include "vtkTFCGradientTexture.h"
 #include "vtkTFCPatch.h"
-#include "vtkTFCPrimaryTexture.h"
 #include "vtkTFCTableTexture.h"
 
 #include "vtkTFCClassify_glsl.h"
@@ -35,7 +35,7 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-std::string MakeDefinitions(unsigned int features)
+std::string MakeDefinitions(unsigned int features, bool cropping, bool shaded)
 {
   const auto define = [](const char* name, int value)
   { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
@@ -53,6 +53,8 @@ std::string MakeDefinitions(unsigned int features)
   {
     text += features & feature ? define(name, 1) : "";
   }
+  text += cropping ? define("TFC_CROPPING", 1) : "";
+  text += shaded ? define("TFC_SHADED", 1) : "";
   return text;
 }
 
@@ -91,7 +93,8 @@ void InstallReplacements(vtkShaderProperty* shader, const std::string& definitio
   // Depth peeling would move the start to a sample, and drop segments shorter than a step.
   replace("//VTK::DepthPeeling::Ray::PathCheck", "");
   replace("//VTK::Shading::Init",
-    "tfcBeginRay();\n  tfcBeginLeaps();\n  tfcBeginLight();\n//VTK::Shading::Init");
+    "tfcBeginRay();\n  tfcBeginLeaps();\n  tfcBeginClassification();\n  "
+    "tfcBeginLight();\n//VTK::Shading::Init");
   replace("//VTK::Base::Impl",
     "tfcBeginSample();\n//VTK::Base::Impl\n    g_skip = g_skip || tfcCropped();");
   replace("//VTK::Terminate::Impl", "if (tfcEndSample()) { break; }");
@@ -105,7 +108,7 @@ vtkStandardNewMacro(vtkTFCRayCastMapper);
 vtkTFCRayCastMapper::vtkTFCRayCastMapper()
   : Texture(new vtkTFCTableTexture)
   , BrickTexture(new vtkTFCBrickTexture)
-  , PrimaryTexture(new vtkTFCPrimaryTexture)
+  , GradientTexture(new vtkTFCGradientTexture)
 {
   this->AutoAdjustSampleDistances = 0;
   this->UseJittering = 0;
@@ -153,7 +156,7 @@ void vtkTFCRayCastMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
   this->BrickTexture->ReleaseGraphicsResources(window);
-  this->PrimaryTexture->ReleaseGraphicsResources(window);
+  this->GradientTexture->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -210,7 +213,7 @@ bool vtkTFCRayCastMapper::UploadTextures(vtkOpenGLRenderWindow* window, vtkVolum
   }
   if (!property->GetShade())
   {
-    this->PrimaryTexture->ReleaseGraphicsResources(window);
+    this->GradientTexture->ReleaseGraphicsResources(window);
     return true;
   }
   int cellFlag = 0;
@@ -222,12 +225,12 @@ bool vtkTFCRayCastMapper::UploadTextures(vtkOpenGLRenderWindow* window, vtkVolum
   {
     texels[axis] = std::max(1, image->GetDimensions()[axis] - (cellFlag == 1 ? 1 : 0));
   }
-  if (!this->PrimaryTexture->Upload(window, packed, texels,
+  if (!this->GradientTexture->Upload(window, packed, texels,
         property->GetInterpolationType() == VTK_LINEAR_INTERPOLATION))
   {
     vtkErrorMacro("The graphics driver refuses a texture of "
       << texels[0] << " x " << texels[1] << " x " << texels[2]
-      << " floats for the gradients of shading. Switch shading off, or use fewer voxels.");
+      << " gradients for shading. Switch shading off, or use fewer voxels.");
     return false;
   }
   return true;
@@ -243,20 +246,22 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
     return;
   }
   const bool shaded = vol->GetProperty()->GetShade() != 0;
+  this->HasCropped = this->HasCropped || this->Visible.CropFlags >= 0;
   this->Texture->Activate();
   this->BrickTexture->Activate();
   if (shaded)
   {
-    this->PrimaryTexture->Activate();
-    vol->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("in_tfcPrimary",
-      this->PrimaryTexture->GetTextureUnit());
+    this->GradientTexture->Activate();
+    vol->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("in_tfcGradients",
+      this->GradientTexture->GetTextureUnit());
   }
-  InstallReplacements(vol->GetShaderProperty(), MakeDefinitions(this->Tables.FeaturesUsed));
+  InstallReplacements(vol->GetShaderProperty(),
+    MakeDefinitions(this->Features | this->Tables.FeaturesUsed, this->HasCropped, shaded));
   this->SetUniforms(vol);
   this->Superclass::GPURender(ren, vol);
   if (shaded)
   {
-    this->PrimaryTexture->Deactivate();
+    this->GradientTexture->Deactivate();
   }
   this->BrickTexture->Deactivate();
   this->Texture->Deactivate();

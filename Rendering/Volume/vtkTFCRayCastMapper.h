@@ -36,7 +36,7 @@
 #include <vector> // For planes
 
 class vtkTFCBrickTexture;
-class vtkTFCPrimaryTexture;
+class vtkTFCGradientTexture;
 class vtkTFCTableTexture;
 class vtkOpenGLRenderWindow;
 class vtkVolumeProperty;
@@ -68,6 +68,9 @@ public:
   /// The classification. `generation` must grow with every change.
   void SetTables(const vtkTFCShaderTables& tables, unsigned int generation);
 
+  /// What the shader is compiled for; at least what the tables use.
+  void SetFeatures(unsigned int features) { this->Features = features; }
+
   /// The distances of vtkTFCBrickActivity for the input; before the first frame.
   void SetBricks(std::vector<unsigned char> distances, const std::array<int, 3>& dimensions,
     int brickSize);
@@ -98,14 +101,16 @@ private:
 
   vtkTFCShaderTables Tables;
   unsigned int TablesGeneration = 0;
+  unsigned int Features = 0;
   std::unique_ptr<vtkTFCTableTexture> Texture;
   std::vector<unsigned char> BrickDistances = { 0 };
   std::array<int, 3> BrickDimensions = { 1, 1, 1 };
   int BrickSize = 1;
   unsigned int BrickGeneration = 1;
   std::unique_ptr<vtkTFCBrickTexture> BrickTexture;
-  std::unique_ptr<vtkTFCPrimaryTexture> PrimaryTexture;
+  std::unique_ptr<vtkTFCGradientTexture> GradientTexture;
   Visibility Visible;
+  bool HasCropped = false; // other than a box: compiled only once it is needed
   double UnitDistance = 1;
 };
 

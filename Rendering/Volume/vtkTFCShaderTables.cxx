@@ -337,7 +337,7 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
     if (patches[cell])
     {
       tables.FeaturesUsed |= Patches;
-      texels[cell] = MakeTexel(0, 0, static_cast<double>(texels.size()));
+      texels[cell] = MakeTexel(0, 0, static_cast<double>(texels.size()), 1);
       texels.insert(texels.end(), patches[cell]->Values.begin(), patches[cell]->Values.end());
       continue;
     }
@@ -353,7 +353,7 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
         texels.insert(texels.end(), regions[region].begin(), regions[region].end());
       }
     }
-    texels[cell] = MakeTexel(places[set], places[set] + RecordTexels * sets.GetSize(set));
+    texels[cell] = MakeTexel(places[set], places[set] + RecordTexels * sets.GetSize(set), 0, 1);
   }
   return tables;
 }

@@ -10,9 +10,10 @@
  * axis wide is as exact as a wide one.
  *
  * The list holds RGBA texels, in this order (see glsl/vtkTFC*.glsl):
- * - index grid: GridSize x GridSize cells over the axes' unit square, (first, end, 0, 0): the
- * texels with the records of all regions that may be non-zero in the cell, so cost per sample
- * follows the number of regions that overlap there, not their total number
+ * - index grid: GridSize x GridSize cells over the axes' unit square, (first, end, 0, 1): the
+ *   texels with the records of all regions that may be non-zero in the cell, so cost per sample
+ *   follows the number of regions that overlap there, not their total number; or (0, 0, patch, 1);
+ *   or zeros where nothing is
  * - edges (x0, y0, x1, y1) of polygons; tertiary functions: colour nodes (value, r, g, b), then
  *   (first colour node, number of them), then Buckets pieces and all pieces of opacity times
  *   tertiary function (a, b, end, next piece): a + b v for v < end

@@ -4,6 +4,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
+#include "vtk_glew.h"
 
 //------------------------------------------------------------------------------
 vtkTFCTexture3D::vtkTFCTexture3D() = default;
@@ -18,8 +19,7 @@ bool vtkTFCTexture3D::IsIn(vtkOpenGLRenderWindow* context) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkTFCTexture3D::Create(vtkOpenGLRenderWindow* context, const std::array<int, 3>& texels,
-  int dataType, const void* values)
+void vtkTFCTexture3D::Prepare(vtkOpenGLRenderWindow* context)
 {
   if (!this->Texture)
   {
@@ -29,10 +29,31 @@ bool vtkTFCTexture3D::Create(vtkOpenGLRenderWindow* context, const std::array<in
   this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTFCTexture3D::CreateBytes(vtkOpenGLRenderWindow* context, const std::array<int, 3>& texels,
+  const std::uint8_t* values)
+{
+  this->Prepare(context);
   // Create3DFromRaw() takes a non-const pointer and only reads.
   return this->Texture->Create3DFromRaw(static_cast<unsigned int>(texels[0]),
-    static_cast<unsigned int>(texels[1]), static_cast<unsigned int>(texels[2]), 1, dataType,
-    const_cast<void*>(values));
+    static_cast<unsigned int>(texels[1]), static_cast<unsigned int>(texels[2]), 1,
+    VTK_UNSIGNED_CHAR, const_cast<std::uint8_t*>(values));
+}
+
+//------------------------------------------------------------------------------
+bool vtkTFCTexture3D::CreateHalfFloats(vtkOpenGLRenderWindow* context,
+  const std::array<int, 3>& texels, const std::uint16_t* values)
+{
+  this->Prepare(context);
+  // VTK has no type of its own for half floats; what is set is not asked of the type.
+  this->Texture->SetDataType(GL_HALF_FLOAT);
+  this->Texture->SetInternalFormat(GL_RGBA16F);
+  this->Texture->SetFormat(GL_RGBA);
+  return this->Texture->Create3DFromRaw(static_cast<unsigned int>(texels[0]),
+    static_cast<unsigned int>(texels[1]), static_cast<unsigned int>(texels[2]), 4, VTK_FLOAT,
+    const_cast<std::uint16_t*>(values));
 }
 
 //------------------------------------------------------------------------------

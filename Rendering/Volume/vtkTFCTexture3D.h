@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A 3D texture with one channel in one OpenGL context: what the mapper's own have in common.
+ * @brief A 3D texture in one OpenGL context: what the mapper's own have in common.
  *
  * One texture unit, only while active. Derived classes say what is in it and when it is outdated.
  */
@@ -12,7 +12,8 @@
 
 #include "vtkSmartPointer.h" // For the texture
 
-#include <array> // For sizes
+#include <array>   // For sizes
+#include <cstdint> // For values
 
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
@@ -35,15 +36,21 @@ protected:
   /// Whether there is a texture in this context.
   bool IsIn(vtkOpenGLRenderWindow* context) const;
 
-  /// Make it from values of a VTK type, x fastest; outside of it its border repeats. The context
-  /// must be current. Returns false when the driver refuses.
-  bool Create(vtkOpenGLRenderWindow* context, const std::array<int, 3>& texels, int dataType,
-    const void* values);
+  ///@{
+  /// Make it from bytes, one channel, or from half floats, four channels, x fastest; outside of it
+  /// its border repeats. The context must be current. Returns false when the driver refuses.
+  bool CreateBytes(vtkOpenGLRenderWindow* context, const std::array<int, 3>& texels,
+    const std::uint8_t* values);
+  bool CreateHalfFloats(vtkOpenGLRenderWindow* context, const std::array<int, 3>& texels,
+    const std::uint16_t* values);
+  ///@}
 
   /// A filter of vtkTextureObject.
   void SetFilter(int filter);
 
 private:
+  void Prepare(vtkOpenGLRenderWindow* context);
+
   vtkSmartPointer<vtkTextureObject> Texture;
 };
 

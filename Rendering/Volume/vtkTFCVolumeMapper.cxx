@@ -2,271 +2,233 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCVolumeMapper.h"
 
-#include "vtkTFCAttributePacker.h"
-#include "vtkTFCBrickActivity.h"
-#include "vtkTFCBrickRanges.h"
-#include "vtkTFCRayCastMapper.h"
+#include "vtkTFCImageBlocks.h"
 #include "vtkTFCTransferFunction.h"
+#include "vtkTFCVisibilityOrder.h"
+#include "vtkTFCVolumeBlock.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCellData.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkFloatArray.h"
+#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPlane.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPointData.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTextureObject.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-namespace
-{
-
-//------------------------------------------------------------------------------
-// Continuous point index (from 0 in the packed image) -> texture coordinate t = index * Scale +
-// Bias. Texels are points or cells; texture coordinate (n + 0.5) / N is the centre of texel n.
-struct TextureAxis
-{
-  double Scale;
-  double Bias;
-};
-
-TextureAxis MakeTextureAxis(int numberOfPoints, bool cellData)
-{
-  if (cellData)
-  {
-    return { 1.0 / std::max(1, numberOfPoints - 1), 0.0 };
-  }
-  return { 1.0 / numberOfPoints, 0.5 / numberOfPoints };
-}
-
-//------------------------------------------------------------------------------
-// Planes given in world coordinates, in texture coordinates of the packed image.
-std::vector<std::array<float, 4>> MakeClippingPlanes(vtkPlaneCollection* planes,
-  vtkImageData* image, vtkMatrix4x4* volumeMatrix, const TextureAxis axes[3])
-{
-  vtkNew<vtkMatrix4x4> textureToIndex;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    textureToIndex->SetElement(axis, axis, 1.0 / axes[axis].Scale);
-    textureToIndex->SetElement(axis, 3,
-      image->GetExtent()[2 * axis] - axes[axis].Bias / axes[axis].Scale);
-  }
-  vtkNew<vtkMatrix4x4> textureToWorld;
-  vtkMatrix4x4::Multiply4x4(image->GetIndexToPhysicalMatrix(), textureToIndex, textureToWorld);
-  vtkMatrix4x4::Multiply4x4(volumeMatrix, textureToWorld, textureToWorld);
-
-  std::vector<std::array<float, 4>> result;
-  for (int i = 0; i < planes->GetNumberOfItems(); ++i)
-  {
-    vtkPlane* plane = planes->GetItem(i);
-    double origin[3];
-    double normal[3];
-    plane->GetOrigin(origin);
-    plane->GetNormal(normal);
-    const double world[4] = { normal[0], normal[1], normal[2],
-      -(normal[0] * origin[0] + normal[1] * origin[1] + normal[2] * origin[2]) };
-    std::array<float, 4> texture;
-    for (int column = 0; column < 4; ++column)
-    {
-      double sum = 0;
-      for (int row = 0; row < 4; ++row)
-      {
-        sum += world[row] * textureToWorld->GetElement(row, column);
-      }
-      texture[column] = static_cast<float>(sum);
-    }
-    result.push_back(texture);
-  }
-  return result;
-}
-
-}
+#include <vector>
 
 //------------------------------------------------------------------------------
 class vtkTFCVolumeMapper::Internals
 {
 public:
-  vtkNew<vtkTFCRayCastMapper> Caster;
-  vtkTFCAttributePacker Packer;
+  vtkTFCImageBlocks Images;
+  std::vector<std::unique_ptr<vtkTFCVolumeBlock>> Blocks;
+  bool Streaming = false; // textures do not fit into the memory limit at a time
 
-  // The model with the axis ranges it was compiled for, and what the tables were made from.
+  // The model with the axis ranges it was compiled for.
   vtkTFCCompiledModel Model;
   std::array<double, 4> UsedRanges = { 0, 1, 0, 1 };
   vtkMTimeType ModelTime = 0;
   vtkTFCTransferFunction* CompiledFrom = nullptr; // only compared
-  unsigned int TablesPackGeneration = 0;
-  unsigned int TablesGeneration = 0;
-  bool TablesOutdated = true;
-  unsigned int Features = 0; // of all tables so far
+  unsigned int ModelGeneration = 0;
+  unsigned int ImagesGeneration = 0;
+  bool ModelOutdated = true;
+  unsigned int Features = 0;  // of all tables so far
+  int FormerTableUploads = 0; // of blocks that are gone
+  int FormerVolumeUploads = 0;
 
-  vtkTFCBrickRanges Ranges;
-  unsigned int RangesPackGeneration = 0;
-  bool Skipping = false; // whether the caster was given the distances of bricks
-
-  void UpdateBricks(bool skipping, bool changed);
-  bool PackAndCompile(vtkTFCVolumeMapper* mapper, vtkImageData* image, std::string& error);
-  vtkTFCRayCastMapper::Visibility FindVisibility(vtkVolumeMapper* mapper, vtkVolume* vol) const;
+  bool UpdateBlocks(vtkTFCVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
+    std::string& error);
+  bool PackAndCompile(vtkTFCVolumeMapper* mapper, std::string& error);
+  std::vector<vtkTFCVolumeBlock*> FindOrder(vtkRenderer* ren, vtkVolume* vol) const;
+  void RemoveBlocks(vtkWindow* window);
 };
 
 //------------------------------------------------------------------------------
-// Bring the compiled model, the packed attributes and the tables up to date. Returns whether there
-// is something to draw. A model that does not fit the data is an error and leaves what was drawn
-// before in force, as long as the data is the same.
-bool vtkTFCVolumeMapper::Internals::PackAndCompile(vtkTFCVolumeMapper* mapper, vtkImageData* image,
-  std::string& error)
+void vtkTFCVolumeMapper::Internals::RemoveBlocks(vtkWindow* window)
+{
+  for (auto& block : this->Blocks)
+  {
+    this->FormerTableUploads += block->GetNumberOfTableUploads();
+    this->FormerVolumeUploads += block->GetNumberOfVolumeUploads();
+    block->ReleaseGraphicsResources(window);
+  }
+  this->Blocks.clear();
+}
+
+//------------------------------------------------------------------------------
+// Find the images to draw. Returns whether there are any.
+bool vtkTFCVolumeMapper::Internals::UpdateBlocks(vtkTFCVolumeMapper* mapper, vtkRenderer* ren,
+  vtkVolume* vol, std::string& error)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  vtkTFCImageBlocks::Limits limits;
+  limits.LongestSide = mapper->LongestTextureSide > 0
+    ? mapper->LongestTextureSide
+    : vtkTextureObject::GetMaximumTextureSize3D(window);
+  const vtkIdType voxelBytes =
+    (this->Model.Attributes.size() > 2 ? 16 : 8) + (vol->GetProperty()->GetShade() ? 8 : 0);
+  const vtkIdType limit = static_cast<vtkIdType>(mapper->MemoryLimit) << 20;
+  if (limit > 0)
+  {
+    limits.MostVoxels = limit / voxelBytes;
+  }
+  const auto& images =
+    this->Images.Update(mapper->GetInputDataObject(0, 0), this->Model.Attributes, limits, error);
+  if (this->ImagesGeneration != this->Images.GetGeneration())
+  {
+    this->ImagesGeneration = this->Images.GetGeneration();
+    // One image for another keeps its block, with what it drew last.
+    if (this->Blocks.size() != images.size())
+    {
+      this->RemoveBlocks(window);
+      for (size_t i = 0; i < images.size(); ++i)
+      {
+        this->Blocks.push_back(std::make_unique<vtkTFCVolumeBlock>());
+      }
+    }
+    vtkIdType bytes = 0;
+    for (const auto& image : images)
+    {
+      bytes += image.Image->GetNumberOfPoints() * voxelBytes;
+    }
+    this->Streaming = limit > 0 && bytes > limit;
+  }
+  return !images.empty();
+}
+
+//------------------------------------------------------------------------------
+// Bring the packed attributes and the tables up to date. Returns whether there is something to
+// draw. A model that does not fit the data is an error and leaves what was drawn before in force,
+// as long as the data is the same.
+bool vtkTFCVolumeMapper::Internals::PackAndCompile(vtkTFCVolumeMapper* mapper, std::string& error)
 {
   vtkTFCTransferFunction* model = mapper->TransferFunction;
-  if (this->CompiledFrom != model || this->ModelTime != model->GetMTime())
+  const auto& images = this->Images.GetBlocks();
+  std::vector<vtkTFCVolumeBlock*> packed;
+  std::string refused;
+  for (size_t i = 0; i < images.size() && model->HasAxes(); ++i)
   {
-    this->Model = model->Compile(this->UsedRanges.data());
-    this->ModelTime = model->GetMTime();
-    this->CompiledFrom = model;
-    this->TablesOutdated = true;
+    std::string reason;
+    if (this->Blocks[i]->Pack(images[i], this->Model.Attributes, reason))
+    {
+      packed.push_back(this->Blocks[i].get());
+    }
+    else if (refused.empty())
+    {
+      refused = reason;
+    }
   }
-  if (this->Model.Regions.empty())
+  if (packed.empty())
   {
-    return false;
+    error = model->HasAxes()
+      ? refused
+      : "the transfer function has regions but no axes; name a primary and a secondary array.";
+    return this->ModelGeneration > 0 &&
+      std::all_of(images.begin(), images.end(),
+        [&, i = size_t(0)](const auto& image) mutable
+        { return this->Blocks[i++]->IsCurrent(image); });
   }
-  if (!model->HasAxes())
+  // Arrays may be missing in some blocks of a composite dataset: nothing to see there.
+  for (auto& block : this->Blocks)
   {
-    error = "the transfer function has regions but no axes; name a primary and a secondary array.";
-  }
-  if (!error.empty() || !this->Packer.Update(image, this->Model.Attributes, error))
-  {
-    return this->TablesGeneration > 0 && this->Packer.IsCurrent(image);
+    block->SetDrawable(std::find(packed.begin(), packed.end(), block.get()) != packed.end());
   }
 
   // Ranges that the model leaves open need the data, hence only now.
   double data[2][2];
   for (int axis = 0; axis < 2; ++axis)
   {
-    const vtkTFCStoredAttribute& stored = this->Packer.GetStored()[axis];
-    data[axis][0] = mapper->HasAutomaticRanges ? mapper->AutomaticRanges[axis][0] : stored.Offset;
-    data[axis][1] =
-      mapper->HasAutomaticRanges ? mapper->AutomaticRanges[axis][1] : stored.Offset + stored.Scale;
+    data[axis][0] = VTK_DOUBLE_MAX;
+    data[axis][1] = -VTK_DOUBLE_MAX;
+    for (const auto* block : packed)
+    {
+      const auto range = block->GetRange(axis);
+      if (range[0] <= range[1])
+      {
+        const bool first = data[axis][0] > data[axis][1];
+        data[axis][0] = first ? range[0] : std::min(data[axis][0], range[0]);
+        data[axis][1] = first ? range[1] : std::max(data[axis][1], range[1]);
+      }
+    }
+    if (mapper->HasAutomaticRanges)
+    {
+      std::copy(mapper->AutomaticRanges[axis], mapper->AutomaticRanges[axis] + 2, data[axis]);
+    }
   }
   std::array<double, 4> used;
   model->ResolveRanges(data[0], data[1], used.data());
-  if (used != this->UsedRanges)
+  if (this->ModelOutdated || used != this->UsedRanges)
   {
     this->UsedRanges = used;
-    this->TablesOutdated = true;
-  }
-  if (this->TablesOutdated || this->TablesPackGeneration != this->Packer.GetGeneration())
-  {
     this->Model = model->Compile(used.data());
-    ++this->TablesGeneration;
-    // What was compiled once stays, so that an edit back and forth builds no shader.
-    const auto tables =
-      vtkTFCShaderTables::Build(this->Model, this->Packer.GetStored(), this->Features);
-    this->Features = tables.FeaturesUsed;
-    this->Caster->SetTables(tables, this->TablesGeneration);
-    this->TablesPackGeneration = this->Packer.GetGeneration();
-    this->TablesOutdated = false;
-    this->UpdateBricks(mapper->EmptySpaceSkipping, true);
+    ++this->ModelGeneration;
+    this->ModelOutdated = false;
   }
-  this->UpdateBricks(mapper->EmptySpaceSkipping, false);
+  for (auto* block : packed)
+  {
+    // What was compiled once stays, so that an edit back and forth builds no shader.
+    this->Features = block->Compile(this->Model, this->ModelGeneration, mapper->EmptySpaceSkipping,
+      this->Features);
+  }
   return true;
 }
 
 //------------------------------------------------------------------------------
-// Tell the caster where nothing can be visible; `changed`: the model or the data is new.
-void vtkTFCVolumeMapper::Internals::UpdateBricks(bool skipping, bool changed)
+// The blocks to draw, farthest first.
+std::vector<vtkTFCVolumeBlock*> vtkTFCVolumeMapper::Internals::FindOrder(vtkRenderer* ren,
+  vtkVolume* vol) const
 {
-  if (!skipping && (changed || this->Skipping))
+  std::vector<vtkTFCVolumeBlock*> drawable;
+  for (const auto& block : this->Blocks)
   {
-    this->Caster->SetBricks({ 0 }, { 1, 1, 1 }, 1); // one active brick
-  }
-  else if (skipping && (changed || !this->Skipping))
-  {
-    if (this->RangesPackGeneration != this->Packer.GetGeneration())
+    if (block->IsDrawable())
     {
-      vtkImageData* image = this->Packer.GetImage();
-      const bool cells = this->Packer.IsCellData();
-      auto* array = vtkFloatArray::SafeDownCast(
-        cells ? image->GetCellData()->GetScalars() : image->GetPointData()->GetScalars());
-      std::array<int, 3> texels;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        texels[axis] = std::max(1, image->GetDimensions()[axis] - (cells ? 1 : 0));
-      }
-      this->Ranges.Compute(array->GetPointer(0), texels, array->GetNumberOfComponents());
-      this->RangesPackGeneration = this->Packer.GetGeneration();
-    }
-    const auto& dimensions = this->Ranges.GetDimensions();
-    this->Caster->SetBricks(
-      vtkTFCBrickActivity::FindDistances(
-        vtkTFCBrickActivity::Find(this->Ranges, this->Model, this->Packer.GetStored()), dimensions),
-      dimensions, this->Ranges.GetBrickSize());
-  }
-  this->Skipping = skipping;
-}
-
-//------------------------------------------------------------------------------
-vtkTFCRayCastMapper::Visibility vtkTFCVolumeMapper::Internals::FindVisibility(
-  vtkVolumeMapper* mapper, vtkVolume* vol) const
-{
-  vtkImageData* image = this->Packer.GetImage();
-  const int* extent = image->GetExtent();
-  const int* owned = this->Packer.GetOwnedExtent();
-  const int* dimensions = image->GetDimensions();
-  TextureAxis axes[3];
-  vtkTFCRayCastMapper::Visibility visibility;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    axes[axis] = MakeTextureAxis(dimensions[axis], this->Packer.IsCellData());
-    const auto texture = [&](double index)
-    { return static_cast<float>(index * axes[axis].Scale + axes[axis].Bias); };
-    visibility.BoxMin[axis] = texture(owned[2 * axis] - extent[2 * axis]);
-    visibility.BoxMax[axis] = texture(owned[2 * axis + 1] - extent[2 * axis]);
-
-    if (mapper->GetCropping())
-    {
-      // Planes are positions along the image's own axes: origin + index * spacing.
-      double indices[2];
-      for (const int side : { 0, 1 })
-      {
-        const double position = mapper->GetCroppingRegionPlanes()[2 * axis + side];
-        indices[side] =
-          (position - image->GetOrigin()[axis]) / image->GetSpacing()[axis] - extent[2 * axis];
-      }
-      visibility.CropMin[axis] = texture(std::min(indices[0], indices[1]));
-      visibility.CropMax[axis] = texture(std::max(indices[0], indices[1]));
+      drawable.push_back(block.get());
     }
   }
-  if (mapper->GetCropping())
+  if (drawable.size() < 2)
   {
-    if (mapper->GetCroppingRegionFlags() == VTK_CROP_SUBVOLUME)
+    return drawable;
+  }
+  // Along the axes of the first image: pieces of one image, and most composites, are boxes there.
+  vtkNew<vtkMatrix4x4> frame;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
     {
-      // The usual case exactly: rays end at the planes instead of at the last sample before them.
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        visibility.BoxMin[axis] = std::max(visibility.BoxMin[axis], visibility.CropMin[axis]);
-        visibility.BoxMax[axis] = std::min(visibility.BoxMax[axis], visibility.CropMax[axis]);
-      }
-    }
-    else
-    {
-      visibility.CropFlags = mapper->GetCroppingRegionFlags();
+      frame->SetElement(i, j, drawable.front()->GetDirection()->GetElement(j, i));
     }
   }
-  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
+  vtkNew<vtkMatrix4x4> worldToFrame;
+  vol->GetModelToWorldMatrix(worldToFrame);
+  worldToFrame->Invert();
+  vtkMatrix4x4::Multiply4x4(frame, worldToFrame, worldToFrame);
+  vtkCamera* camera = ren->GetActiveCamera();
+  const bool parallel = camera->GetParallelProjection() != 0;
+  double eye[4] = { 0, 0, 0, parallel ? 0.0 : 1.0 };
+  std::copy_n(parallel ? camera->GetDirectionOfProjection() : camera->GetPosition(), 3, eye);
+  worldToFrame->MultiplyPoint(eye, eye);
+  std::vector<vtkTFCVisibilityOrder::Box> boxes;
+  for (const auto* block : drawable)
   {
-    vtkNew<vtkMatrix4x4> volumeMatrix;
-    vol->GetModelToWorldMatrix(volumeMatrix);
-    visibility.ClippingPlanes = MakeClippingPlanes(planes, image, volumeMatrix, axes);
+    boxes.push_back(block->GetBounds(frame));
   }
-  return visibility;
+  std::vector<vtkTFCVolumeBlock*> order;
+  for (const int i : vtkTFCVisibilityOrder::Find(boxes, { { eye[0], eye[1], eye[2] }, parallel }))
+  {
+    order.push_back(drawable[i]);
+  }
+  return order;
 }
 
 vtkStandardNewMacro(vtkTFCVolumeMapper);
@@ -314,13 +276,23 @@ void vtkTFCVolumeMapper::ClearAutomaticRanges()
 //------------------------------------------------------------------------------
 int vtkTFCVolumeMapper::GetNumberOfTableUploads() const
 {
-  return this->Internal->Caster->GetNumberOfTableUploads();
+  int count = this->Internal->FormerTableUploads;
+  for (const auto& block : this->Internal->Blocks)
+  {
+    count += block->GetNumberOfTableUploads();
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------
 int vtkTFCVolumeMapper::GetNumberOfVolumeUploads() const
 {
-  return static_cast<int>(this->Internal->Packer.GetGeneration());
+  int count = this->Internal->FormerVolumeUploads;
+  for (const auto& block : this->Internal->Blocks)
+  {
+    count += block->GetNumberOfVolumeUploads();
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------
@@ -354,19 +326,20 @@ double* vtkTFCVolumeMapper::GetBounds()
 bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& error)
 {
   Internals& internal = *this->Internal;
-  vtkDataObject* input = this->GetInputDataObject(0, 0);
-  auto* image = vtkImageData::SafeDownCast(input);
-  if (!image)
+  vtkTFCTransferFunction* model = this->TransferFunction;
+  if (!model)
   {
-    auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-    if (input && !(composite && composite->GetNumberOfPoints() == 0))
-    {
-      error = std::string("cannot render a ") + input->GetClassName() +
-        ": the input must be a vtkImageData. The 'Resample To Image' filter makes one.";
-    }
     return false;
   }
-  if (!this->TransferFunction || image->GetNumberOfPoints() == 0)
+  if (internal.CompiledFrom != model || internal.ModelTime != model->GetMTime())
+  {
+    internal.Model = model->Compile(internal.UsedRanges.data());
+    internal.ModelTime = model->GetMTime();
+    internal.CompiledFrom = model;
+    internal.ModelOutdated = true;
+  }
+  const bool hasImages = internal.UpdateBlocks(this, ren, vol, error);
+  if (!hasImages || internal.Model.Regions.empty())
   {
     return false;
   }
@@ -381,26 +354,38 @@ bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& 
     error = "more than 16 clipping planes.";
     return false;
   }
-  if (!internal.PackAndCompile(this, image, error))
+  if (!internal.PackAndCompile(this, error))
   {
     return false;
   }
-
-  vtkTFCRayCastMapper* caster = internal.Caster;
-  caster->SetInputData(internal.Packer.GetImage());
-  caster->SetScalarMode(
-    internal.Packer.IsCellData() ? VTK_SCALAR_MODE_USE_CELL_DATA : VTK_SCALAR_MODE_USE_POINT_DATA);
-  caster->SetVisibility(internal.FindVisibility(this, vol));
-  const double* spacing = internal.Packer.GetImage()->GetSpacing();
-  const double mean = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
-  caster->SetDistances(this->SampleDistance > 0.0 ? this->SampleDistance : 0.5 * mean,
-    vol->GetProperty()->GetScalarOpacityUnitDistance());
-  caster->SetInteractive(ren->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0);
-
   // Both setters do nothing when nothing changes.
   vol->GetProperty()->SetIndependentComponents(0);
   vol->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeMapper::RenderBlocks(vtkRenderer* ren, vtkVolume* vol)
+{
+  const auto order = this->Internal->FindOrder(ren, vol);
+  double distance = this->SampleDistance;
+  if (!(distance > 0.0))
+  {
+    // The same for all, so that what rays see does not depend on the blocks.
+    distance = VTK_DOUBLE_MAX;
+    for (const auto* block : order)
+    {
+      distance = std::min(distance, block->GetDefaultSampleDistance());
+    }
+  }
+  for (auto* block : order)
+  {
+    block->Render(ren, vol, this, distance, this->Internal->Features);
+    if (this->Internal->Streaming)
+    {
+      block->ReleaseGraphicsResources(ren->GetRenderWindow());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -422,14 +407,17 @@ void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   }
   if (ready)
   {
-    this->Internal->Caster->Render(ren, vol);
+    this->RenderBlocks(ren, vol);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkTFCVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internal->Caster->ReleaseGraphicsResources(window);
+  for (auto& block : this->Internal->Blocks)
+  {
+    block->ReleaseGraphicsResources(window);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -439,6 +427,8 @@ void vtkTFCVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TransferFunction: " << this->TransferFunction.Get() << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "LongestTextureSide: " << this->LongestTextureSide << "\n";
   os << indent << "EmptySpaceSkipping: " << this->EmptySpaceSkipping << "\n";
   os << indent << "LastError: " << this->LastError << "\n";
 }

@@ -11,15 +11,19 @@
  * model's opacities hold per ScalarOpacityUnitDistance of the volume's property (world units) and
  * are corrected for the length of each step, 1 - (1 - alpha)^(step / unit).
  *
- * Input: a vtkImageData with the attributes as point arrays or as cell arrays, of any numeric type.
- * At most two axes and two different tertiary attributes at a time, any number of regions. NaN
- * values and blanked points or cells are invisible; ghost cells are used for gradients and not
- * drawn. One-voxel-thick images are drawn as slabs of one voxel.
+ * Input: a vtkImageData with the attributes as point arrays or as cell arrays, of any numeric type,
+ * a vtkRectilinearGrid (resampled, see vtkTFCImageBlocks) or any composite of them, whose blocks
+ * may differ in extent, spacing and resolution and should not overlap. Blocks that lack an
+ * attribute are not drawn; that none has it is an error. Images too large for a 3D texture or for
+ * MemoryLimit are drawn in pieces. Blocks are drawn back to front; rays are cut alike in all, so no
+ * seams appear. At most two axes and two different tertiary attributes at a time, any number of
+ * regions. NaN values and blanked points or cells are invisible; ghost cells are used for gradients
+ * and not drawn. One-voxel-thick images are drawn as slabs of one voxel.
  *
  * Supported: shading of the volume's property with VTK's lights (the gradient is the primary
  * attribute's), opaque and translucent geometry, up to 16 clipping planes, cropping (27 regions,
  * planes in the image's model coordinates along its index axes), parallel and perspective cameras.
- * Only composite blending; other blend modes and composite datasets are an error.
+ * Only composite blending; other blend modes are an error.
  *
  * Edits of the transfer function upload a small table (vtkTFCShaderTables) and never build a
  * shader; the mapper's modification time does not include the model's. Changing an attribute to one
@@ -34,7 +38,7 @@
  *
  * Memory besides the input: 16 bytes a voxel on the CPU and 16 on the GPU, half of that as long as
  * no region has a tertiary attribute of its own; for skipping empty space 0.5 on the CPU; with
- * shading 4 more on the GPU. The transfer function takes some 100 KB, at most 20 MB.
+ * shading 8 more on the GPU. The transfer function takes some 100 KB, at most 20 MB.
  *
  * It derives from vtkMultiBlockVolumeMapper because ParaView's vtkPVLODVolume renders no other
  * mapper without selected scalars.
@@ -88,6 +92,24 @@ public:
 
   ///@{
   /**
+   * MiB of textures on the GPU at a time, or 0 for no limit. What is larger is drawn in slabs, each
+   * uploaded for every frame: slow, but it draws. Default: 0.
+   */
+  vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MemoryLimit, int);
+  ///@}
+
+  ///@{
+  /**
+   * Longest side of a 3D texture in voxels, or 0 for what the driver allows. Longer images are
+   * drawn in pieces. Default: 0.
+   */
+  vtkSetClampMacro(LongestTextureSide, int, 0, VTK_INT_MAX);
+  vtkGetMacro(LongestTextureSide, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether rays leap over bricks of 4^3 voxels, larger ones in large volumes, in which the
    * transfer function can show nothing. The picture is the same; only tests have a reason to switch
    * it off. Default: on.
@@ -127,11 +149,14 @@ private:
   void operator=(const vtkTFCVolumeMapper&) = delete;
 
   bool Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& error);
+  void RenderBlocks(vtkRenderer* ren, vtkVolume* vol);
 
   class Internals;
   std::unique_ptr<Internals> Internal;
   vtkSmartPointer<vtkTFCTransferFunction> TransferFunction;
   double SampleDistance = 0;
+  int MemoryLimit = 0;
+  int LongestTextureSide = 0;
   bool EmptySpaceSkipping = true;
   bool HasAutomaticRanges = false;
   double AutomaticRanges[2][2] = { { 0, 1 }, { 0, 1 } };

@@ -6,8 +6,8 @@ usage: pvpython volume.py PEERS_PROGRAM [--repeats N] [--only "A;B"] [--output F
 
 The peer draws the same volume with a 2D transfer function over the same two attributes that covers
 the same voxels, in the same window, with the same camera and step; it knows no tertiary attribute.
-Both turn around the volume, a frame of one after a frame of the other. 512 x 512 pixels, one voxel
-between samples, no jittering. The last rows compare frames after an edit with plain frames.
+Both go once around the volume, a frame of one after a frame of the other. 512 x 512 pixels, one
+voxel between samples, no jittering. The last rows compare frames after an edit with plain frames.
 """
 import argparse
 import json
@@ -172,8 +172,8 @@ class Bench:
         self.window.Render()
         self.window.WaitForCompletion()
 
-    def turn(self):
-        self.renderer.GetActiveCamera().Azimuth(7)
+    def turn(self, repeats):
+        self.renderer.GetActiveCamera().Azimuth(360 / repeats)
         self.renderer.ResetCameraClippingRange()
 
 
@@ -186,7 +186,7 @@ def measure_frames(bench, regions, shaded, repeats):
         bench.frame(which)
     mine, other = [], []
     for _ in range(repeats):
-        bench.turn()
+        bench.turn(repeats)
         mine.append(bench.frame(0))
         other.append(bench.frame(1))
     return median(mine), median(other)
@@ -200,7 +200,7 @@ def measure_edits(bench, edit, repeats):
     uploads = bench.mapper.GetNumberOfVolumeUploads()
     edited, plain = [], []
     for step in range(repeats):
-        bench.turn()
+        bench.turn(repeats)
         plain.append(bench.frame(0))
         edited.append(timed(lambda: bench.set_regions(edit(step + 1))) + bench.frame(0))
     if bench.mapper.GetNumberOfVolumeUploads() != uploads:

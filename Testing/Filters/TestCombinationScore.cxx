@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkShortArray.h"
 #include "vtkStringArray.h"
@@ -394,4 +395,48 @@ TEST(CombinationScore, CellsGiveWhatPointsGive)
       EXPECT_EQ(Get(ofCells->GetOutput(), name, column), Get(ofPoints->GetOutput(), name, column));
     }
   }
+}
+
+TEST(CombinationScore, BlocksGiveWhatTheWholeGives)
+{
+  const auto whole = MakeAttributes();
+  // Slabs of 7, 6 and 7 layers, and nothing in between.
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  int first = 0;
+  for (const int layers : { 7, 6, 7 })
+  {
+    auto slab = vtkSmartPointer<vtkImageData>::New();
+    slab->SetExtent(0, N - 1, 0, N - 1, first, first + layers - 1);
+    for (int a = 0; a < whole->GetPointData()->GetNumberOfArrays(); ++a)
+    {
+      vtkDataArray* from = whole->GetPointData()->GetArray(a);
+      auto part = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
+      part->SetName(from->GetName());
+      part->InsertTuples(0, static_cast<vtkIdType>(N) * N * layers,
+        static_cast<vtkIdType>(N) * N * first, from);
+      slab->GetPointData()->AddArray(part);
+    }
+    blocks->SetBlock(blocks->GetNumberOfBlocks() + 1, slab);
+    first += layers;
+  }
+  vtkNew<vtkTFCCombinationScore> ofWhole, ofBlocks;
+  ofWhole->SetInputData(whole);
+  ofBlocks->SetInputDataObject(blocks);
+  ofWhole->Update();
+  ofBlocks->Update();
+  ASSERT_EQ(ofBlocks->GetOutput()->GetNumberOfRows(), 5);
+  for (const char* name : { "TC", "free", "flag" })
+  {
+    for (const char* column : { "correlation", "entropy", "score", "new_information" })
+    {
+      EXPECT_NEAR(Get(ofBlocks->GetOutput(), name, column), Get(ofWhole->GetOutput(), name, column),
+        1e-12);
+    }
+  }
+  vtkImageData::SafeDownCast(blocks->GetBlock(3))->GetPointData()->RemoveArray("free");
+  Errors errors(ofBlocks);
+  ofBlocks->Modified();
+  ofBlocks->Update();
+  EXPECT_EQ(ofBlocks->GetOutput()->GetNumberOfRows(), 0);
+  EXPECT_TRUE(errors.Mention("blocks hold different arrays")) << errors.Text;
 }

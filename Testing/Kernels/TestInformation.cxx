@@ -19,7 +19,8 @@ std::vector<std::int64_t> Count(const std::vector<Cell>& samples, int bins)
   std::vector<std::int64_t> counts(static_cast<size_t>(bins) * bins * bins, 0);
   for (const auto& [t, x, y] : samples)
   {
-    ++counts[static_cast<size_t>((y * bins + x) * bins + t)];
+    const auto b = static_cast<size_t>(bins);
+    ++counts[(static_cast<size_t>(y) * b + static_cast<size_t>(x)) * b + static_cast<size_t>(t)];
   }
   return counts;
 }
@@ -80,6 +81,7 @@ TEST(Information, IndependentSharesNothing)
   // As few samples per cell as GetInformationBins() allows: 32.
   std::mt19937 random(2);
   std::vector<Cell> samples;
+  samples.reserve(32 * 4096);
   for (int i = 0; i < 32 * 4096; ++i)
   {
     samples.push_back({ static_cast<int>(random() % 16), static_cast<int>(random() % 16),

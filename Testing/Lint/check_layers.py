@@ -17,7 +17,7 @@ LAYERS = {
     "Filters/Kernels": [],
     "Filters": ["Filters/Kernels"],
     "Rendering/TransferFunction": ["Filters"],
-    "Rendering/Volume": ["Rendering/TransferFunction", "Filters"],
+    "Rendering/Volume": ["Rendering/TransferFunction", "Filters", "Filters/Kernels"],
     "Rendering/Charts": ["Rendering/TransferFunction", "Filters"],
     "Plugin": ["Rendering/Volume", "Rendering/Charts", "Rendering/TransferFunction", "Filters",
                "Filters/Kernels"],

@@ -150,6 +150,22 @@ TEST(RegionSplit, NamedArraysAndBlocks)
   EXPECT_EQ(Number(a, 0, "voxels"), Number(b, 0, "voxels"));
 }
 
+TEST(RegionSplit, CanBeAborted)
+{
+  const auto volume = Volume();
+  vtkNew<vtkTFCRegionSplit> filter;
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  EXPECT_EQ(Compute(filter, volume, Halves)->GetNumberOfRows(), 0);
+  filter->RemoveObserver(tag);
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 9) << "and then again";
+}
+
 TEST(RegionSplit, BadInput)
 {
   const auto fails = [](const std::function<void(vtkTFCRegionSplit*)>& change, const char* word,

@@ -162,6 +162,7 @@ TEST(TransferFunctionHistogram, PlaneAndConditionals)
   ExpectColumn(table, "region 12 count", Weigh(data, TwoRegions(), 0, "T", 0, 80));
   ExpectColumn(table, "region 4 count", Weigh(data, TwoRegions(), 1, "S", low, high));
   std::vector<double> centers;
+  centers.reserve(Bins);
   for (int i = 0; i < Bins; ++i)
   {
     centers.push_back(5. * i + 2.5);

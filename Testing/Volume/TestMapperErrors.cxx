@@ -6,7 +6,8 @@
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"
-#include "vtkRectilinearGrid.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
@@ -152,11 +153,13 @@ TEST_F(Errors, OnlyCompositeBlending)
 
 TEST_F(Errors, OnlyImages)
 {
-  vtkNew<vtkRectilinearGrid> grid;
-  grid->SetDimensions(3, 3, 3);
+  vtkNew<vtkPolyData> mesh;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  mesh->SetPoints(points);
   this->Set(MakeState(MakeFog(0.5)));
-  this->Scene.Mapper->SetInputDataObject(grid);
-  this->ExpectError({ "vtkRectilinearGrid", "Resample To Image" });
+  this->Scene.Mapper->SetInputDataObject(mesh);
+  this->ExpectError({ "vtkPolyData", "Resample To Image" });
   this->ExpectRecovery();
 }
 

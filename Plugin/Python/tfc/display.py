@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from .plugin import load_plugin
 
 REPRESENTATION = "Combined Volume"
+RENDERED = ("vtkImageData", "vtkUniformGrid", "vtkStructuredPoints", "vtkRectilinearGrid")
 
 
 def _arrays(source):
@@ -51,14 +52,25 @@ def _fill_range(source, attribute):
         attribute["range"] = [low, high]
 
 
+def _dataset_types(source):
+    """Class names of what a source makes, for a composite dataset those of its blocks."""
+    from vtkmodules.vtkCommonDataModel import vtkDataObjectTypes
+
+    information = source.GetDataInformation()
+    if not information.DataInformation.IsCompositeDataSet():
+        return [information.GetDataSetTypeAsString()]
+    types = information.DataInformation.GetUniqueBlockTypes()
+    return [vtkDataObjectTypes.GetClassNameFromTypeId(number) for number in types]
+
+
 def _prepare(source, tf):
     """Check a transfer function against the data and fill in the ranges it leaves open."""
     source.UpdatePipeline()
-    kind = source.GetDataInformation().GetDataSetTypeAsString()
-    if kind not in ("vtkImageData", "vtkUniformGrid", "vtkStructuredPoints"):
+    wrong = [kind for kind in _dataset_types(source) if kind not in RENDERED]
+    if wrong:
         raise TypeError(
-            f"a combined transfer function renders a vtkImageData, not a {kind}; "
-            "the filter 'Resample To Image' makes one"
+            "a combined transfer function renders a vtkImageData, a vtkRectilinearGrid or a "
+            f"composite of them, not a {wrong[0]}; the filter 'Resample To Image' makes one"
         )
     for name, axis in (("primary", tf.primary), ("secondary", tf.secondary)):
         if not axis:
@@ -95,7 +107,8 @@ def show(source, tf=None, view=None, unit_distance=None, shade=None):
     ``unit_distance`` is the length, in world units, over which the opacities of the regions hold
     (ParaView's choice by default: about one cell); ``shade`` switches lighting by the gradient of
     the primary attribute. Ranges that the transfer function leaves open are taken from the data.
-    Raises KeyError for an unknown array or component, TypeError when the source is not an image,
+    Raises KeyError for an unknown array or component, TypeError when the source is neither an image
+    nor a rectilinear grid nor a composite of them,
     ValueError when an axis is missing.
     """
     from paraview import simple

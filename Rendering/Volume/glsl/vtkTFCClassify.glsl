@@ -12,18 +12,40 @@ uniform vec2 in_tfcAxisBias;
 uniform int in_tfcBlendOver;
 uniform float in_tfcInverseUnitDistance;
 
-// What tfcCell() has for a sample. The axes are in the first two channels.
-ivec3 tfcFindCell(vec4 attributes)
+// Software renderers read a uniform inside a loop for every pixel anew, also when it has been copied
+// before. What is computed once per ray is kept.
+vec2 g_tfcCellScale; // stored value -> cells of the index grid
+vec2 g_tfcCellBias;
+float g_tfcCellSize; // in axis units
+bool g_tfcBlendOver;
+float g_tfcUnits; // sample distance in unit distances
+
+// Called once per ray, after tfcBeginRay().
+void tfcBeginClassification()
 {
-  vec2 p = attributes.xy * in_tfcAxisScale + in_tfcAxisBias;
+  g_tfcGridSize = float(in_tfcGridSize);
+  g_tfcCellScale = in_tfcAxisScale * g_tfcGridSize;
+  g_tfcCellBias = in_tfcAxisBias * g_tfcGridSize;
+  g_tfcCellSize = 1.0 / g_tfcGridSize;
+  g_tfcBlendOver = in_tfcBlendOver != 0;
+  g_tfcUnits = g_tfcWorldStep * in_tfcInverseUnitDistance;
+}
+
+// Whether there may be something at a sample, and what tfcCell() has there. The axes are in the first
+// two channels.
+bool tfcFindCell(vec4 attributes, out vec3 cell)
+{
+  vec2 place = attributes.xy * g_tfcCellScale + g_tfcCellBias;
   // Written so that NaN fails: no region outside the axes, nor where there is no data.
-  bool inside = p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0;
-  ivec3 cell = tfcCell(p);
-  return inside ? cell : ivec3(0);
+  bool inside = place.x >= 0.0 && place.x <= g_tfcGridSize && place.y >= 0.0 &&
+    place.y <= g_tfcGridSize;
+  vec4 found = tfcCell(place);
+  cell = found.xyz;
+  return inside && found.w > 0.0;
 }
 
 // Colour in rgb and the opacity per unit distance in a, by the records of regions in a cell.
-vec4 tfcClassifyRegions(vec4 attributes, vec2 p, ivec3 records)
+vec4 tfcClassifyRegions(vec4 attributes, vec2 p, ivec2 records)
 {
   vec3 colorSum = vec3(0.0);
   float alphaSum = 0.0;
@@ -47,27 +69,27 @@ vec4 tfcClassifyRegions(vec4 attributes, vec2 p, ivec3 records)
 #else
     alpha *= paint.x;
 #endif
-    float contribution = in_tfcBlendOver != 0 ? transparency * alpha : alpha;
+    float contribution = g_tfcBlendOver ? transparency * alpha : alpha;
     colorSum += contribution * color;
     alphaSum += contribution;
     transparency *= 1.0 - alpha;
     records.x += TFC_RECORD_TEXELS;
   } while (records.x < records.y);
-  return alphaSum > 0.0 ? vec4(colorSum / alphaSum, 1.0 - transparency) : vec4(0.0);
+  return alphaSum > 0.0 ? vec4(colorSum * (1.0 / alphaSum), 1.0 - transparency) : vec4(0.0);
 }
 
 // The same by what the cell has.
-vec4 tfcClassify(vec4 attributes, ivec3 cell)
+vec4 tfcClassify(vec4 attributes, vec3 cell)
 {
-  vec2 p = attributes.xy * in_tfcAxisScale + in_tfcAxisBias;
+  vec2 p = (attributes.xy * g_tfcCellScale + g_tfcCellBias) * g_tfcCellSize;
   vec4 classified = vec4(0.0);
   if (cell.x < cell.y)
   {
-    classified = tfcClassifyRegions(attributes, p, cell);
+    classified = tfcClassifyRegions(attributes, p, ivec2(cell.xy));
   }
 #ifdef TFC_PATCHES
-  vec4 patched = tfcPatch(cell.z, p);
-  classified = cell.z > 0 ? patched : classified;
+  vec4 patched = tfcPatch(int(cell.z), p);
+  classified = cell.z > 0.0 ? patched : classified;
 #endif
   return classified;
 }
@@ -75,10 +97,6 @@ vec4 tfcClassify(vec4 attributes, ivec3 cell)
 // Opacity of the current piece of the ray, where it is `opacity` per unit distance.
 float tfcPieceOpacity(float opacity)
 {
-  float units = g_tfcWeight * g_tfcWorldStep * in_tfcInverseUnitDistance;
-  if (!(opacity > 0.0 && units > 0.0))
-  {
-    return 0.0;
-  }
-  return opacity < 1.0 ? 1.0 - pow(1.0 - opacity, units) : 1.0;
+  float units = g_tfcWeight * g_tfcUnits;
+  return units > 0.0 ? 1.0 - pow(1.0 - opacity, units) : 0.0;
 }

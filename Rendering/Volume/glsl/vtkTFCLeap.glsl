@@ -10,9 +10,10 @@ uniform float in_tfcBrickSize;  // in texels of the volume
 
 vec3 g_tfcBrickOrigin; // u = 0 in bricks
 vec3 g_tfcBrickStep;   // bricks per sample distance
-vec3 g_tfcInverseBrickStep;
-vec3 g_tfcForward; // 1 for axes along which the ray goes up, else 0
+vec3 g_tfcBrickCrossing; // sample distances to cross a brick along each axis
+vec3 g_tfcForward;       // 1 for axes along which the ray goes up, else 0
 ivec3 g_tfcLastBrick;
+float g_tfcFirstMiddle; // number of the piece with its middle at u = 0, less a margin
 
 // Called once per ray, after tfcBeginRay().
 void tfcBeginLeaps()
@@ -21,9 +22,9 @@ void tfcBeginLeaps()
   g_tfcBrickOrigin = g_tfcOrigin * bricks - 0.5 / in_tfcBrickSize;
   g_tfcBrickStep = g_dirStep * bricks;
   g_tfcForward = step(0.0, g_tfcBrickStep);
-  g_tfcInverseBrickStep =
-    1.0 / mix(min(g_tfcBrickStep, -1e-20), max(g_tfcBrickStep, 1e-20), g_tfcForward);
+  g_tfcBrickCrossing = 1.0 / max(abs(g_tfcBrickStep), 1e-20);
   g_tfcLastBrick = textureSize(in_tfcBricks, 0) - 1;
+  g_tfcFirstMiddle = g_tfcPhase - 0.5 - 1e-3;
 }
 
 // Move to the middle of the next piece in an active brick, this one or a later one.
@@ -34,15 +35,17 @@ void tfcLeap()
   {
     tfcPlaceSample();
     vec3 place = g_tfcBrickOrigin + g_tfcMiddle * g_tfcBrickStep;
-    ivec3 brick = clamp(ivec3(floor(place)), ivec3(0), g_tfcLastBrick);
-    float distance = floor(255.0 * texelFetch(in_tfcBricks, brick, 0).x + 0.5);
-    // The bricks that are nearer than `distance` are empty; u where the ray leaves them.
-    vec3 wall = vec3(brick) + mix(vec3(1.0 - distance), vec3(distance), g_tfcForward);
-    vec3 reach = (wall - place) * g_tfcInverseBrickStep;
+    vec3 corner = floor(place);
+    ivec3 brick = clamp(ivec3(corner), ivec3(0), g_tfcLastBrick);
+    float distance = 255.0 * texelFetch(in_tfcBricks, brick, 0).x;
+    // The bricks that are nearer than `distance` are empty; u where the ray leaves them. Places
+    // beyond the border are taken for a brick more, which is on the safe side.
+    vec3 ahead = abs(g_tfcForward - (place - corner)); // in this brick
+    vec3 reach = (distance - 1.0 + ahead) * g_tfcBrickCrossing;
     float leave = g_tfcMiddle + min(reach.x, min(reach.y, reach.z));
     // The first piece whose middle is not before that, a little less against rounding.
-    int next = int(ceil(leave * (1.0 - 1e-6) - 1e-3 + g_tfcPhase - 0.5));
-    leaping = distance > 0.0 && g_tfcWeight > 0.0;
-    g_tfcInterval = leaping ? max(g_tfcInterval + 1, next) : g_tfcInterval;
+    float next = ceil(leave * (1.0 - 1e-6) + g_tfcFirstMiddle);
+    leaping = distance > 0.5 && g_tfcWeight > 0.0;
+    g_tfcInterval = leaping ? max(g_tfcInterval + 1.0, next) : g_tfcInterval;
   } while (leaping);
 }

@@ -8,8 +8,8 @@
 vec4 tfcPatch(int firstNode, vec2 p)
 {
   const int last = TFC_PATCH_NODES - 1;
-  vec2 inside = p * float(in_tfcGridSize);
-  inside -= min(floor(inside), vec2(in_tfcGridSize - 1)); // p = 1 is in the last cell
+  vec2 inside = p * g_tfcGridSize;
+  inside -= min(floor(inside), vec2(g_tfcGridSize - 1.0)); // p = 1 is in the last cell
   vec2 place = inside * float(last);
   ivec2 node = min(ivec2(place), ivec2(last - 1));
   vec2 t = place - vec2(node);

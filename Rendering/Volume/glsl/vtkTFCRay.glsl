@@ -22,7 +22,7 @@ vec3 g_tfcOrigin;       // u = 0
 float g_tfcBegin;       // visible u
 float g_tfcEnd;
 float g_tfcPhase;       // u of the cut before the entry, negated
-int g_tfcInterval;
+float g_tfcInterval;    // number of the current piece, a whole number
 float g_tfcWeight;      // length of the current piece, in sample distances
 vec4 g_tfcAttributes;   // at the middle of the current piece
 float g_tfcMiddle;      // u of its middle
@@ -91,7 +91,7 @@ void tfcBeginRay()
   g_tfcWorldStep = in_sampleDistance * scale;
   vec3 entry = (in_volumeMatrix[0] * vec4(ip_vertexPos, 1.0)).xyz;
   g_tfcPhase = fract(dot(entry - in_cameraPos, direction / scale) / g_tfcWorldStep + g_jitterValue);
-  g_tfcInterval = int(floor(g_tfcBegin + g_tfcPhase));
+  g_tfcInterval = floor(g_tfcBegin + g_tfcPhase);
 
   // With depth peeling there are two segments a pixel. Also nothing to do for NaN.
   g_fragColor = vec4(0.0);
@@ -101,7 +101,7 @@ void tfcBeginRay()
 // Move to the middle of the current piece; beyond the end its weight is 0.
 void tfcPlaceSample()
 {
-  float cut = float(g_tfcInterval) - g_tfcPhase;
+  float cut = g_tfcInterval - g_tfcPhase;
   float begin = max(cut, g_tfcBegin);
   float end = min(cut + 1.0, g_tfcEnd);
   g_tfcWeight = max(end - begin, 0.0);
@@ -112,14 +112,15 @@ void tfcPlaceSample()
 // Step to the next piece; true when the ray is done.
 bool tfcEndSample()
 {
-  ++g_tfcInterval;
-  return !(float(g_tfcInterval) - g_tfcPhase < g_tfcEnd) || g_fragColor.a > g_opacityThreshold;
+  g_tfcInterval += 1.0;
+  return !(g_tfcInterval - g_tfcPhase < g_tfcEnd) || g_fragColor.a > g_opacityThreshold;
 }
 
 // Whether the current position lies in a cropping region that is switched off. Regions are counted
 // as in vtkVolumeMapper: x fastest, 1 below the first plane, 2 between, 3 above.
 bool tfcCropped()
 {
+#ifdef TFC_CROPPING
   if (in_tfcCropFlags < 0)
   {
     return false;
@@ -127,4 +128,7 @@ bool tfcCropped()
   ivec3 region = ivec3(greaterThanEqual(g_dataPos, in_tfcCropMin)) +
     ivec3(greaterThanEqual(g_dataPos, in_tfcCropMax));
   return ((in_tfcCropFlags >> (region.x + 3 * region.y + 9 * region.z)) & 1) == 0;
+#else
+  return false;
+#endif
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What happens at a sample: found, classified, lit by VTK and composited front to back.
 
-ivec3 g_tfcCell;      // what the transfer function has there (see tfcCell)
+vec3 g_tfcCell; // what the transfer function has there (see tfcCell)
 
 // Move to the next sample that some region may show. Samples in between are dealt with here, in a
 // short loop of their own, so that on processors that run many rays in step none waits for the
@@ -14,9 +14,8 @@ void tfcBeginSample()
   {
     tfcLeap();
     g_tfcAttributes = texture(in_volume[0], g_dataPos);
-    g_tfcCell = tfcFindCell(g_tfcAttributes);
-    invisible = g_tfcCell == ivec3(0) && g_tfcWeight > 0.0;
-    g_tfcInterval += invisible ? 1 : 0;
+    invisible = !tfcFindCell(g_tfcAttributes, g_tfcCell) && g_tfcWeight > 0.0;
+    g_tfcInterval += invisible ? 1.0 : 0.0;
   } while (invisible);
 }
 
@@ -33,17 +32,19 @@ float computeOpacity(vec4 attributes)
 
 vec4 computeColor(vec4 attributes, float opacity)
 {
-  return clamp(computeLighting(vec4(g_tfcColor, opacity), 0, 0.0), 0.0, 1.0);
+  vec4 color = vec4(g_tfcColor, opacity);
+#ifdef TFC_SHADED
+  if (opacity > 0.0)
+  {
+    color = clamp(computeLighting(color, 0, 0.0), 0.0, 1.0);
+  }
+#endif
+  return color;
 }
 
 void tfcComposite()
 {
-  g_srcColor = vec4(0.0);
-  g_srcColor.a = computeOpacity(g_tfcAttributes);
-  if (g_srcColor.a > 0.0)
-  {
-    g_srcColor = computeColor(g_tfcAttributes, g_srcColor.a);
-    g_srcColor.rgb *= g_srcColor.a;
-    g_fragColor += (1.0 - g_fragColor.a) * g_srcColor;
-  }
+  g_srcColor = computeColor(g_tfcAttributes, computeOpacity(g_tfcAttributes));
+  g_srcColor.rgb *= g_srcColor.a;
+  g_fragColor += (1.0 - g_fragColor.a) * g_srcColor;
 }

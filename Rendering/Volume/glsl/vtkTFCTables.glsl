@@ -5,16 +5,17 @@
 
 uniform samplerBuffer in_tfcTables;
 uniform int in_tfcGridSize; // the index grid has this many cells along each axis
+float g_tfcGridSize;        // the same, see tfcBeginClassification()
 
 vec4 tfcFetch(int texel)
 {
   return texelFetch(in_tfcTables, texel);
 }
 
-// What there is in the grid cell of a point in axis units: records of regions in texels [x, y), or a
-// patch at texel z. All 0 where nothing is.
-ivec3 tfcCell(vec2 p)
+// What there is in the grid cell of a point in cells: records of regions in texels [x, y), or a
+// patch at texel z; w = 1. All 0 where nothing is.
+vec4 tfcCell(vec2 place)
 {
-  ivec2 cell = clamp(ivec2(p * float(in_tfcGridSize)), ivec2(0), ivec2(in_tfcGridSize - 1));
-  return ivec3(tfcFetch(cell.y * in_tfcGridSize + cell.x).xyz);
+  vec2 cell = floor(clamp(place, 0.0, g_tfcGridSize - 1.0));
+  return tfcFetch(max(int(cell.y * g_tfcGridSize + cell.x), 0)); // whatever NaN is as an integer
 }
