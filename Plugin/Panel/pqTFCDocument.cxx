@@ -17,6 +17,8 @@
 #include "vtkTFCSparseHistogram.h"
 #include "vtkTFCTransferFunction.h"
 
+#include <QElapsedTimer>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -94,6 +96,10 @@ void pqTFCDocument::readState()
 //-----------------------------------------------------------------------------
 void pqTFCDocument::begin()
 {
+  if (!this->Link.isEditing())
+  {
+    this->LiveTime = this->LiveEvents = 0;
+  }
   this->Cache.setPaused(true);
   this->Link.begin();
 }
@@ -102,8 +108,18 @@ void pqTFCDocument::begin()
 void pqTFCDocument::live()
 {
   this->begin();
+  QElapsedTimer timer;
+  timer.start();
   this->Link.live(QString::fromStdString(this->Model->GetState()));
   Q_EMIT this->changed(true);
+  this->LiveTime += timer.nsecsElapsed() * 1e-6;
+  ++this->LiveEvents;
+}
+
+//-----------------------------------------------------------------------------
+double pqTFCDocument::millisecondsPerEvent() const
+{
+  return this->LiveTime / std::max(1, this->LiveEvents);
 }
 
 //-----------------------------------------------------------------------------

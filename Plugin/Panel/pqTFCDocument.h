@@ -61,6 +61,10 @@ public:
   bool replace(const QString& label, const QString& json);
   ///@}
 
+  /// Mean time of live() since begin(), for the benchmark: the way into the property and everything
+  /// that the parts compute, without drawing.
+  double millisecondsPerEvent() const;
+
   ///@{
   /// Ids of the selected regions; activeRegion() is the only selected one, or null.
   const std::vector<int>& selection() const { return this->Selection; }
@@ -124,6 +128,8 @@ private:
   pqTFCHistogramCache Cache;
   std::vector<pqTFCAttribute> Attributes;
   std::vector<int> Selection;
+  double LiveTime = 0; ///< ms, of the current or last drag
+  int LiveEvents = 0;
 };
 
 #endif

@@ -295,6 +295,12 @@ int pqTFCPanel::voxelsInRegion() const
 }
 
 //-----------------------------------------------------------------------------
+double pqTFCPanel::millisecondsPerEvent() const
+{
+  return this->Document->millisecondsPerEvent();
+}
+
+//-----------------------------------------------------------------------------
 void pqTFCPanel::showProbe(double primary, double secondary)
 {
   this->Chart->chart()->SetProbe(primary, secondary);

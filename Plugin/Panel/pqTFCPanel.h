@@ -39,6 +39,7 @@ class pqTFCPanel : public QDockWidget
   Q_PROPERTY(QString selectedShape READ selectedShape)
   Q_PROPERTY(int voxelsInPlane READ voxelsInPlane)
   Q_PROPERTY(int voxelsInRegion READ voxelsInRegion)
+  Q_PROPERTY(double millisecondsPerEvent READ millisecondsPerEvent)
 
 public:
   pqTFCPanel(QWidget* parent = nullptr);
@@ -52,6 +53,8 @@ public:
   QString selectedShape() const;
   int voxelsInPlane();
   int voxelsInRegion() const;
+  /// Of the last drag, see pqTFCDocument.
+  double millisecondsPerEvent() const;
 
   /// Where a picked voxel is on the two axes, data units.
   void showProbe(double primary, double secondary);

@@ -32,7 +32,8 @@ void vtkTFCDomainChart::Layout(vtkContext2D* painter)
   for (int pass = 0; pass < 2; ++pass)
   {
     map.Plot = { { margin + border[0], margin + border[1],
-      std::max(8.0, width - 2 * margin - border[0]),
+      // At the right, room for half of the last label.
+      std::max(8.0, width - 3 * margin - border[0]),
       std::max(8.0, height - 2 * margin - border[1]) } };
     for (int i = 0; i < 2; ++i)
     {
