@@ -3,6 +3,7 @@
 #include "vtkTFCVolumeMapper.h"
 
 #include "vtkTFCImageBlocks.h"
+#include "vtkTFCTextureLimit.h"
 #include "vtkTFCTransferFunction.h"
 #include "vtkTFCVisibilityOrder.h"
 #include "vtkTFCVolumeBlock.h"
@@ -17,7 +18,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
-#include "vtkTextureObject.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -72,21 +72,22 @@ bool vtkTFCVolumeMapper::Internals::UpdateBlocks(vtkTFCVolumeMapper* mapper, vtk
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   vtkTFCImageBlocks::Limits limits;
-  limits.LongestSide = mapper->LongestTextureSide > 0
-    ? mapper->LongestTextureSide
-    : vtkTextureObject::GetMaximumTextureSize3D(window);
+  limits.LongestSide = mapper->LongestTextureSide > 0 ? mapper->LongestTextureSide
+                                                      : vtkTFCTextureLimit::FindLongestSide(window);
   const size_t attributes = this->Model.Attributes.size();
   const vtkIdType voxelBytes = (attributes > 4      ? 32
                                    : attributes > 2 ? 16
                                                     : 8) +
     (vol->GetProperty()->GetShade() ? 8 : 0);
   const vtkIdType limit = static_cast<vtkIdType>(mapper->MemoryLimit) << 20;
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  window->MakeCurrent();
+  limits.MostVoxels = vtkTFCTextureLimit::FindMostVoxels(window, input, attributes > 2 ? 4 : 2);
   if (limit > 0)
   {
-    limits.MostVoxels = limit / voxelBytes;
+    limits.MostVoxels = std::min(limits.MostVoxels, limit / voxelBytes);
   }
-  const auto& images =
-    this->Images.Update(mapper->GetInputDataObject(0, 0), this->Model.Attributes, limits, error);
+  const auto& images = this->Images.Update(input, this->Model.Attributes, limits, error);
   if (this->ImagesGeneration != this->Images.GetGeneration())
   {
     this->ImagesGeneration = this->Images.GetGeneration();
