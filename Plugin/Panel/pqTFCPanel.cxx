@@ -197,8 +197,8 @@ QMenu* pqTFCPanel::makeHistogramMenu()
   auto* menu = new QMenu(this);
   menu->setObjectName("ViewMenu");
   vtkTFCDomainChart* chart = this->Chart->chart();
-  const auto addChoice =
-    [&](const QString& title, const QStringList& names, int current, std::function<void(int)> set)
+  const auto addChoice = [&](const QString& title, const QStringList& names, int current,
+                           const std::function<void(int)>& set)
   {
     menu->addSection(title);
     auto* group = new QActionGroup(menu);
