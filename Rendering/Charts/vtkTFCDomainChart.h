@@ -199,6 +199,7 @@ private:
 
   void Layout(vtkContext2D* painter);
   void UpdateItems();
+  void PaintTitles(vtkContext2D* painter);
   void PaintGesture(vtkContext2D* painter);
   void PaintProbe(vtkContext2D* painter);
   void PaintMessage(vtkContext2D* painter);
@@ -241,6 +242,8 @@ private:
   bool KeepTool = false;
   std::unique_ptr<Drag> Gesture;
   std::string Message;
+  std::string Titles[2];
+  double TitleBorders[2] = { 0, 0 }; ///< bottom and left: pixels from the plot to the titles
   Point Probe = { 0, 0 };
   bool ProbeShown = false;
   bool HoverInside = false;
