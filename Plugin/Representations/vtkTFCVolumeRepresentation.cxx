@@ -103,6 +103,12 @@ void vtkTFCVolumeRepresentation::SetMemoryLimit(int megabytes)
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetRenderer(int renderer)
+{
+  this->GetMapper()->SetRenderer(renderer);
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCVolumeRepresentation::SetCroppingRegionFlags(int flags)
 {
   this->VolumeMapper->SetCroppingRegionFlags(flags);

@@ -46,6 +46,11 @@ public:
   void SetMemoryLimit(int megabytes);
 
   /**
+   * What draws: vtkTFCVolumeMapper::RendererType, 0 Auto, 1 GPU, 2 CPU. Default: 0.
+   */
+  void SetRenderer(int renderer);
+
+  /**
    * 27-bit mask of the cropping regions that stay visible while cropping is on, as
    * vtkVolumeMapper::SetCroppingRegionFlags(). Default: 8192, the inside of the box.
    */

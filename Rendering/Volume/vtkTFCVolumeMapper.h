@@ -119,6 +119,34 @@ public:
   vtkBooleanMacro(EmptySpaceSkipping, bool);
   ///@}
 
+  enum RendererType
+  {
+    AutoRenderer = 0,
+    GPURenderer = 1,
+    CPURenderer = 2
+  };
+
+  ///@{
+  /**
+   * What draws: OpenGL, or VTK's ray caster on the CPU (vtkTFCFallbackRenderer says what is
+   * different there). AutoRenderer is OpenGL where the driver has what it needs, else the CPU, with
+   * one warning that says why. The CPU draws a single image or grid with composite blending; a
+   * composite of more is an error. Default: AutoRenderer.
+   */
+  vtkSetClampMacro(Renderer, int, AutoRenderer, CPURenderer);
+  vtkGetMacro(Renderer, int);
+  ///@}
+
+  /**
+   * Whether the last Render() drew on the CPU.
+   */
+  bool GetUsedCPU() const { return this->UsedCPU; }
+
+  /**
+   * Number of times that the data was classified for the CPU.
+   */
+  int GetNumberOfClassifications() const;
+
   /**
    * What was wrong at the last Render(), or an empty string.
    */
@@ -148,7 +176,9 @@ private:
   vtkTFCVolumeMapper(const vtkTFCVolumeMapper&) = delete;
   void operator=(const vtkTFCVolumeMapper&) = delete;
 
+  bool ChooseRenderer(vtkRenderer* ren, vtkVolume* vol, std::string& error);
   bool Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& error);
+  bool PrepareForCPU(std::string& error);
   void RenderBlocks(vtkRenderer* ren, vtkVolume* vol);
 
   class Internals;
@@ -158,6 +188,8 @@ private:
   int MemoryLimit = 0;
   int LongestTextureSide = 0;
   bool EmptySpaceSkipping = true;
+  int Renderer = AutoRenderer;
+  bool UsedCPU = false;
   bool HasAutomaticRanges = false;
   double AutomaticRanges[2][2] = { { 0, 1 }, { 0, 1 } };
   std::string LastError;

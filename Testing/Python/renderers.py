@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: the Transfer Function Combinations developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The property Renderer: the same state gives the same picture on the GPU and on the CPU."""
+import pictures
+import scripttest
+
+from paraview import simple
+
+import tfc
+
+check = scripttest.check
+
+wavelet = simple.Wavelet(WholeExtent=[-24, 24] * 3, StandardDeviation=0.5)
+source = simple.Calculator(Input=wavelet, ResultArrayName="R", Function="mag(coords)")
+view = pictures.make_view()
+tf = tfc.TransferFunction("RTData", "R", primary_range=(0, 300), secondary_range=(0, 42))
+tf.add_ellipse((150, 12), (120, 12), name="core", color=(1, 0.5, 0.1), opacity=0.2,
+               falloff="smooth", width=1).tertiary("R", [(0, 1), (20, 0.2)], range=(0, 40))
+tf.add_ellipse((120, 26), (140, 12), name="shell", color=(0.2, 0.4, 1), opacity=0.05,
+               falloff="smooth", width=1)
+display = tfc.show(source, tf, view, shade=False)
+check(display.Renderer == "Auto", "the default")
+check(list(display.GetProperty("Renderer").Available) == ["Auto", "GPU", "CPU"], "the choices")
+simple.ResetCamera(view)
+
+with pictures.reported() as text:
+    automatic = pictures.capture(view)
+    display.Renderer = "GPU"
+    gpu = pictures.capture(view)
+    display.Renderer = "CPU"
+    cpu = pictures.capture(view)
+    check(text() == "", "no messages: " + text())
+check(pictures.difference(automatic, gpu) == 0, "Auto is the GPU here")
+check(float(gpu.max()) > 100, "something is visible")
+mean = pictures.difference(gpu, cpu)
+print("CPU against GPU: mean difference %.3f of 255, largest %d" % (mean, abs(gpu - cpu).max()))
+check(mean > 0, "another renderer drew")
+check(mean <= 2, "the same picture: %g" % mean)
+
+# Edits are seen, and a state file keeps the choice.
+tf.region("shell").visible = False
+tfc.apply(display, tf)
+edited = pictures.capture(view)
+check(pictures.difference(edited, cpu) > 0.5, "an edit on the CPU")
+display.Renderer = "GPU"
+check(pictures.difference(edited, pictures.capture(view)) <= 2, "the same edit on the GPU")
