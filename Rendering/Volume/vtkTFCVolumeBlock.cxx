@@ -193,6 +193,10 @@ vtkTFCRayCastMapper::Visibility vtkTFCVolumeBlock::FindVisibility(vtkVolumeMappe
     { return static_cast<float>(index * axes[axis].Scale + axes[axis].Bias); };
     visibility.BoxMin[axis] = texture(owned[2 * axis] - extent[2 * axis]);
     visibility.BoxMax[axis] = texture(owned[2 * axis + 1] - extent[2 * axis]);
+    if (owned[2 * axis + 1] < extent[2 * axis + 1])
+    {
+      visibility.UpperMargin[axis] = -1e-6f;
+    }
 
     if (mapper->GetCropping())
     {
@@ -241,6 +245,7 @@ void vtkTFCVolumeBlock::Render(vtkRenderer* ren, vtkVolume* vol, vtkVolumeMapper
   this->Caster->SetScalarMode(
     this->Packer.IsCellData() ? VTK_SCALAR_MODE_USE_CELL_DATA : VTK_SCALAR_MODE_USE_POINT_DATA);
   this->Caster->SetFeatures(features);
+  this->Caster->SetBlending(mapper->GetBlendMode());
   this->Caster->SetVisibility(this->FindVisibility(mapper, vol));
   this->Caster->SetDistances(sampleDistance, vol->GetProperty()->GetScalarOpacityUnitDistance());
   this->Caster->SetInteractive(ren->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0);

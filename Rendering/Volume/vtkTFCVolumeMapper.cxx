@@ -5,6 +5,7 @@
 #include "vtkTFCFallbackRenderer.h"
 #include "vtkTFCGraphicsSupport.h"
 #include "vtkTFCImageBlocks.h"
+#include "vtkTFCSettingsCheck.h"
 #include "vtkTFCTransferFunction.h"
 #include "vtkTFCVolumeBlock.h"
 
@@ -13,7 +14,6 @@
 #include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 #include "vtkVolume.h"
@@ -35,6 +35,7 @@ public:
   vtkRenderWindow* ProbedWindow = nullptr; // only compared
   std::string Missing;                     // of its OpenGL
   std::string WarnedOf;
+  std::string Omission; // from the picture, as last told
 
   // The model with the axis ranges it was compiled for.
   vtkTFCCompiledModel Model;
@@ -369,19 +370,17 @@ bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& 
   {
     return false;
   }
-  if (this->BlendMode != vtkVolumeMapper::COMPOSITE_BLEND)
-  {
-    error = "only composite blending is available for a combined transfer function.";
-    return false;
-  }
-  if (this->ClippingPlanes &&
-    this->ClippingPlanes->GetNumberOfItems() > vtkTFCRayCastMapper::MaximumNumberOfClippingPlanes)
-  {
-    error = "more than 16 clipping planes.";
-    return false;
-  }
   if (!internal.PackAndCompile(this, error))
   {
+    return false;
+  }
+  const auto blocks = std::count_if(internal.Blocks.begin(), internal.Blocks.end(),
+    [](const auto& block) { return block->IsDrawable(); });
+  const std::string unsupported =
+    vtkTFCSettingsCheck::FindError(this, static_cast<int>(blocks), this->Distributed);
+  if (!unsupported.empty())
+  {
+    error = unsupported;
     return false;
   }
   // Both setters do nothing when nothing changes.
@@ -430,6 +429,15 @@ void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     if (!error.empty())
     {
       vtkErrorMacro("Combined Volume: " << error);
+    }
+  }
+  const std::string omission = vtkTFCSettingsCheck::FindOmission(this);
+  if (ready && omission != this->Internal->Omission)
+  {
+    this->Internal->Omission = omission;
+    if (!omission.empty())
+    {
+      vtkWarningMacro("Combined Volume: " << omission);
     }
   }
   if (ready && this->UsedCPU)

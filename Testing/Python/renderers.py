@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: the Transfer Function Combinations developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The property Renderer: the same state gives the same picture on the GPU and on the CPU."""
+"""The properties Renderer (the same state gives the same picture on the GPU and on the CPU) and
+RayBlending.
+"""
 import pictures
 import scripttest
 
@@ -44,3 +46,29 @@ edited = pictures.capture(view)
 check(pictures.difference(edited, cpu) > 0.5, "an edit on the CPU")
 display.Renderer = "GPU"
 check(pictures.difference(edited, pictures.capture(view)) <= 2, "the same edit on the GPU")
+
+# Blend modes: all different, a message for those that there are not.
+check(list(display.GetProperty("RayBlending").Available) ==
+      ["Composite", "Maximum", "Average", "Additive"], "the blend modes")
+# Not checked inside: what this script prints is reported, too.
+modes = ("Composite", "Maximum", "Average", "Additive")
+seen = []
+with pictures.reported() as text:
+    for mode in modes:
+        display.RayBlending = mode
+        seen.append(pictures.capture(view))
+    report = text()
+check(report == "", "no messages: " + report)
+for i, picture in enumerate(seen):
+    check(float(picture.max()) > 5, modes[i] + " shows something")
+    for j in range(i):
+        check(pictures.difference(picture, seen[j]) > 0.2, modes[i] + " is not " + modes[j])
+with pictures.reported() as text:
+    display.RayBlending = "Composite"
+    display.BlendMode = "Isosurface"
+    refused = pictures.capture(view)
+    report = text()
+check(float(refused.max()) == 0, "no isosurfaces")
+check("composite, maximum, average or additive" in report, "reported: " + report)
+display.BlendMode = "Composite"
+check(pictures.difference(seen[0], pictures.capture(view)) == 0, "and back")
