@@ -9,7 +9,7 @@ usage() {
   cat <<'TEXT'
 usage: Utilities/benchmark.sh [NAME [ARGUMENTS]]
 
-Runs the benchmark NAME, or all of them: advice, attributes, volume. Its table goes to the
+Runs the benchmark NAME, or all of them: advice, attributes, editor, volume. Its table goes to the
 terminal and to its section of Testing/Benchmarks/RESULTS.md. Exit status 1: a ratio is above its
 limit.
 
@@ -24,14 +24,14 @@ TEXT
 
 source_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build_dir="${TFC_BUILD_DIR:-$source_dir/build}"
-names=(advice attributes volume)
+names=(advice attributes editor volume)
 if (($# > 0)); then
   case "$1" in
     -h | --help)
       usage
       exit 0
       ;;
-    advice | attributes | volume)
+    advice | attributes | editor | volume)
       names=("$1")
       shift
       ;;
@@ -53,7 +53,7 @@ export PYTHONPATH="$build_dir/lib/python3/dist-packages:$source_dir/Testing/Benc
 status=0
 for name in "${names[@]}"; do
   run=(pvpython)
-  if [[ "$name" == volume && -z "${DISPLAY:-}" ]]; then
+  if [[ ("$name" == volume || "$name" == editor) && -z "${DISPLAY:-}" ]]; then
     run=(xvfb-run -a -s "-screen 0 1600x1200x24 -noreset" pvpython)
   fi
   "${run[@]}" "$source_dir/Testing/Benchmarks/$name.py" "$build_dir/benchmarks/tfc_peers" \

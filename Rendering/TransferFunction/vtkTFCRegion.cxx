@@ -13,6 +13,11 @@ vtkStandardNewMacro(vtkTFCRegion);
 
 namespace
 {
+constexpr const char* LOCKED = "x-locked";
+}
+
+namespace
+{
 //------------------------------------------------------------------------------
 bool IsFraction(double value)
 {
@@ -111,6 +116,30 @@ bool vtkTFCRegion::GetVisible() const
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCRegion::SetLocked(bool locked)
+{
+  if (locked != this->GetLocked())
+  {
+    if (locked)
+    {
+      this->Values->Extras[LOCKED] = "true";
+    }
+    else
+    {
+      this->Values->Extras.erase(LOCKED);
+    }
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTFCRegion::GetLocked() const
+{
+  const auto locked = this->Values->Extras.find(LOCKED);
+  return locked != this->Values->Extras.end() && locked->second == "true";
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCRegion::SetShape(vtkTFCShape* shape)
 {
   if (!shape)
@@ -159,6 +188,17 @@ int vtkTFCRegion::GetFalloffType() const
 double vtkTFCRegion::GetFalloffWidth() const
 {
   return this->Values->Width;
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRegion::GetPaletteColor(int n, double color[3])
+{
+  static const unsigned char palette[8][3] = { { 230, 159, 0 }, { 86, 180, 233 }, { 0, 158, 115 },
+    { 213, 94, 0 }, { 0, 114, 178 }, { 204, 121, 167 }, { 240, 228, 66 }, { 153, 153, 153 } };
+  for (int c = 0; c < 3; ++c)
+  {
+    color[c] = palette[(n % 8 + 8) % 8][c] / 255.0;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -344,6 +384,14 @@ void vtkTFCRegion::SetValues(const vtkTFCRegionState& values)
   *this->Values = values;
   this->Values->Shape = vtkTFCShapeState();
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCRegion::DeepCopy(vtkTFCRegion* other)
+{
+  vtkTFCRegionState values = other->GetValues();
+  values.Id = this->Values->Id;
+  this->SetValues(values);
 }
 
 //------------------------------------------------------------------------------

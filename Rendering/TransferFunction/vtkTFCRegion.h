@@ -75,6 +75,16 @@ public:
 
   ///@{
   /**
+   * Whether editors refuse to change the region by accident: kept in the state as "x-locked".
+   * Setters of this class do not look at it, and it takes no part in classification. Default false.
+   */
+  void SetLocked(bool locked);
+  bool GetLocked() const;
+  vtkBooleanMacro(Locked, bool);
+  ///@}
+
+  ///@{
+  /**
    * The outline; never null. Default an ellipse. Setting null is an error.
    */
   void SetShape(vtkTFCShape* shape);
@@ -97,6 +107,12 @@ public:
   void SetColor(double red, double green, double blue);
   void GetColor(double color[3]) const;
   ///@}
+
+  /**
+   * The n-th of eight colours that people with colour-blindness can tell apart, for new regions: M.
+   * Okabe and K. Ito, Color Universal Design (2008), with grey for black.
+   */
+  static void GetPaletteColor(int n, double color[3]);
 
   ///@{
   /**
@@ -139,6 +155,11 @@ public:
   void GetTertiaryOpacityNodes(vtkDoubleArray* nodes) const;
   void GetTertiaryColorNodes(vtkDoubleArray* nodes) const;
   ///@}
+
+  /**
+   * Take over all values of another region but its id. The shape is copied, not shared.
+   */
+  void DeepCopy(vtkTFCRegion* other);
 
   ///@{
   /**

@@ -14,6 +14,11 @@
 
 vtkStandardNewMacro(vtkTFCTransferFunction);
 
+namespace
+{
+constexpr const char* PROPOSAL = "x-proposal";
+}
+
 struct vtkTFCTransferFunction::Internals
 {
   vtkTFCState Values; ///< its Regions are unused: the objects below hold them
@@ -97,6 +102,31 @@ bool vtkTFCTransferFunction::SetState(const char* json)
 std::string vtkTFCTransferFunction::GetState() const
 {
   return vtkTFCWriteState(this->CollectState());
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCTransferFunction::SetProposal(bool proposal)
+{
+  if (proposal != this->GetProposal())
+  {
+    if (proposal)
+    {
+      this->Internal->Values.Extras[PROPOSAL] = "true";
+    }
+    else
+    {
+      this->Internal->Values.Extras.erase(PROPOSAL);
+    }
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTFCTransferFunction::GetProposal() const
+{
+  const vtkTFCExtras& extras = this->Internal->Values.Extras;
+  const auto proposal = extras.find(PROPOSAL);
+  return proposal != extras.end() && proposal->second == "true";
 }
 
 //------------------------------------------------------------------------------

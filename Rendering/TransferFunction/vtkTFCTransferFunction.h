@@ -61,6 +61,15 @@ public:
   const std::string& GetLastError() const { return this->LastError; }
   ///@}
 
+  ///@{
+  /**
+   * Whether the model was proposed by a program and nobody has edited it yet: kept in the state as
+   * "x-proposal". Editors say so and clear it with the first edit. Default false.
+   */
+  void SetProposal(bool proposal);
+  bool GetProposal() const;
+  ///@}
+
   enum Axes
   {
     Primary = 0,

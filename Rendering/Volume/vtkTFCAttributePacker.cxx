@@ -186,6 +186,56 @@ bool vtkTFCAttributePacker::IsCurrent(vtkImageData* source) const
 }
 
 //------------------------------------------------------------------------------
+// The channels from `first` on, of which those without an attribute are 0.
+vtkSmartPointer<vtkFloatArray> vtkTFCAttributePacker::Pack(const vtkTFCAttributeReader& reader,
+  int first, int channels, vtkImageData* source)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName("tfc_attributes");
+  array->SetNumberOfComponents(channels);
+  array->SetNumberOfTuples(
+    this->CellData ? this->Image->GetNumberOfCells() : this->Image->GetNumberOfPoints());
+  float* packed = array->GetPointer(0);
+  const int used = std::min(channels, static_cast<int>(this->ChannelStorage.size()) - first);
+  vtkTFCThreads::For(0, reader.GetNumberOfTuples(), 16384,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      constexpr vtkIdType chunk = 512;
+      std::array<double, chunk> values;
+      for (vtkIdType at = begin; at < end; at += chunk)
+      {
+        const vtkIdType length = std::min(chunk, end - at);
+        for (int c = 0; c < channels; ++c)
+        {
+          float* out = packed + channels * at + c;
+          if (c >= used)
+          {
+            for (vtkIdType i = 0; i < length; ++i)
+            {
+              out[channels * i] = 0.0F;
+            }
+            continue;
+          }
+          reader.Read(first + c, at, length, values.data());
+          const double offset = this->ChannelStorage[first + c].Offset;
+          const double factor = 1.0 / this->ChannelStorage[first + c].Scale;
+          for (vtkIdType i = 0; i < length; ++i)
+          {
+            out[channels * i] = static_cast<float>((values[i] - offset) * factor);
+          }
+        }
+      }
+    });
+  if (first > 0 && !this->CellData &&
+    this->Image->GetNumberOfPoints() != reader.GetNumberOfTuples())
+  {
+    // The first array is blanked before.
+    RepeatLayers(source->GetDimensions(), this->Image->GetDimensions(), channels, packed);
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
 bool vtkTFCAttributePacker::Update(vtkImageData* source,
   const std::vector<vtkTFCAttribute>& attributes, std::string& error)
 {
@@ -208,7 +258,7 @@ bool vtkTFCAttributePacker::Update(vtkImageData* source,
     std::ostringstream message;
     message << "the transfer function uses " << distinct.size() << " attributes, and at most "
             << MaximumNumberOfChannels
-            << " can be rendered at once (two axes and two tertiary attributes). Let some regions "
+            << " can be rendered at once (two axes and six tertiary attributes). Let some regions "
                "share a tertiary attribute.";
     error = message.str();
     return false;
@@ -241,50 +291,14 @@ bool vtkTFCAttributePacker::Update(vtkImageData* source,
     this->ChannelStorage.push_back(storage);
   }
 
-  int sourceDimensions[3];
-  int packedDimensions[3];
-  source->GetDimensions(sourceDimensions);
-  this->Image->GetDimensions(packedDimensions);
   const vtkIdType count = reader.GetNumberOfTuples();
-  vtkNew<vtkFloatArray> array;
-  array->SetName("tfc_attributes");
   // Fewer channels are fewer bytes for every sample to fetch. VTK has no textures of three.
-  const int channels = distinct.size() > 2 ? MaximumNumberOfChannels : 2;
-  array->SetNumberOfComponents(channels);
-  array->SetNumberOfTuples(
-    this->CellData ? this->Image->GetNumberOfCells() : this->Image->GetNumberOfPoints());
+  const int channels = distinct.size() > 2 ? TextureChannels : 2;
+  const auto array = this->Pack(reader, 0, channels, source);
+  this->More = static_cast<int>(distinct.size()) > TextureChannels
+    ? this->Pack(reader, TextureChannels, TextureChannels, source)
+    : nullptr;
   float* packed = array->GetPointer(0);
-
-  vtkTFCThreads::For(0, count, 16384,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      constexpr vtkIdType chunk = 512;
-      std::array<double, chunk> values;
-      for (vtkIdType first = begin; first < end; first += chunk)
-      {
-        const vtkIdType length = std::min(chunk, end - first);
-        for (int c = 0; c < channels; ++c)
-        {
-          float* out = packed + channels * first + c;
-          if (c >= static_cast<int>(this->ChannelStorage.size()))
-          {
-            for (vtkIdType i = 0; i < length; ++i)
-            {
-              out[channels * i] = 0.0F;
-            }
-            continue;
-          }
-          reader.Read(c, first, length, values.data());
-          const double offset = this->ChannelStorage[c].Offset;
-          const double factor = 1.0 / this->ChannelStorage[c].Scale;
-          for (vtkIdType i = 0; i < length; ++i)
-          {
-            out[channels * i] = static_cast<float>((values[i] - offset) * factor);
-          }
-        }
-      }
-    });
-
   if (this->CellData)
   {
     ApplyBlanking(source->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL, count, channels,
@@ -297,7 +311,7 @@ bool vtkTFCAttributePacker::Update(vtkImageData* source,
       packed);
     if (this->Image->GetNumberOfPoints() != count)
     {
-      RepeatLayers(sourceDimensions, packedDimensions, channels, packed);
+      RepeatLayers(source->GetDimensions(), this->Image->GetDimensions(), channels, packed);
     }
     this->Image->GetPointData()->SetScalars(array);
     vtkUnsignedCharArray* ghosts = source->GetCellGhostArray();

@@ -5,7 +5,8 @@
  * @brief The attributes of a transfer function as one float image for the GPU.
  *
  * One fetch of the packed texture gives the primary and the secondary attribute, in the first two
- * channels, and up to two tertiary attributes. There are two channels, or four with a tertiary.
+ * channels, and up to two tertiary attributes. There are two channels, or four with a tertiary. Up
+ * to four tertiary attributes more are in a second array, for a texture of its own.
  * Values are stored as (value - Offset) / Scale with the finite range of the array in this block,
  * in double precision before rounding to float, so that any scalar type and any offset keeps 24
  * bits of its own range. Offset and Scale are undone exactly in the tables: a block's range is not
@@ -20,7 +21,7 @@
  * - An axis with a single layer of voxels becomes a slab one voxel thick, centred on the layer.
  *
  * Memory: 8 bytes a voxel on the CPU (freed with the packer's image) and 8 on the GPU with two
- * channels, twice that with four.
+ * channels, twice that with up to four, four times that with more.
  */
 
 #ifndef vtkTFCAttributePacker_h
@@ -29,6 +30,7 @@
 #include "vtkTFCShaderTables.h" // For vtkTFCStoredAttribute
 #include "vtkTFCVolumeModule.h" // For export macro
 
+#include "vtkFloatArray.h"   // For arrays
 #include "vtkSmartPointer.h" // For the image
 
 #include <array>  // For ranges
@@ -36,11 +38,13 @@
 #include <vector> // For lists
 
 class vtkImageData;
+class vtkTFCAttributeReader;
 
 class VTKTFCVOLUME_EXPORT vtkTFCAttributePacker
 {
 public:
-  static constexpr int MaximumNumberOfChannels = 4;
+  static constexpr int TextureChannels = 4; ///< of one texture
+  static constexpr int MaximumNumberOfChannels = 8;
 
   /**
    * Make the image hold `attributes` of `source`. Nothing is done when it already does: the same
@@ -62,6 +66,8 @@ public:
   /// The packed image: same geometry as the source but for one-voxel-thick axes. Null before
   /// Update().
   vtkImageData* GetImage() const { return this->Image; }
+  /// Channels 4 to 7 of the image's texels; null where there are no more than four.
+  vtkFloatArray* GetMore() const { return this->More; }
   /// Whether the attributes are cell data.
   bool IsCellData() const { return this->CellData; }
   /// The part of the image's point extent that this block draws: without ghost cells.
@@ -77,7 +83,11 @@ private:
   bool MapToChannels(const std::vector<vtkTFCAttribute>& attributes);
   void CopyGeometry(vtkImageData* source);
 
+  vtkSmartPointer<vtkFloatArray> Pack(const vtkTFCAttributeReader& reader, int first, int channels,
+    vtkImageData* source);
+
   vtkSmartPointer<vtkImageData> Image;
+  vtkSmartPointer<vtkFloatArray> More;
   std::string Fingerprint; // of the grid and the arrays in Channels, as packed
   std::vector<vtkTFCAttribute> Channels;
   std::vector<vtkTFCStoredAttribute> ChannelStorage;

@@ -115,7 +115,8 @@ public:
     this->Cells.Sum();
   }
 
-  bool IsActive(const vtkTFCBrickRanges::Range& range) const
+  /// `more`: of the channels beyond the fourth, or null.
+  bool IsActive(const vtkTFCBrickRanges::Range& range, const vtkTFCBrickRanges::Range* more) const
   {
     Box box;
     for (int axis = 0; axis < 2; ++axis)
@@ -139,7 +140,7 @@ public:
     }
     for (size_t r = 0; r < this->Model.Regions.size(); ++r)
     {
-      if (vtkTFCMayOverlap(this->Model.Regions[r], box) && this->Tertiaries[r].MaySee(range))
+      if (vtkTFCMayOverlap(this->Model.Regions[r], box) && this->Tertiaries[r].MaySee(range, more))
       {
         return true;
       }
@@ -153,14 +154,16 @@ private:
     int Channel = -1;
     std::vector<std::array<double, 2>> Intervals;
 
-    bool MaySee(const vtkTFCBrickRanges::Range& range) const
+    bool MaySee(const vtkTFCBrickRanges::Range& first, const vtkTFCBrickRanges::Range* more) const
     {
       if (this->Channel < 0)
       {
         return true;
       }
-      const double low = range.Minimum[this->Channel];
-      const double high = range.Maximum[this->Channel];
+      constexpr int channels = vtkTFCBrickRanges::MaximumNumberOfChannels;
+      const vtkTFCBrickRanges::Range& range = this->Channel < channels ? first : *more;
+      const double low = range.Minimum[this->Channel % channels];
+      const double high = range.Maximum[this->Channel % channels];
       const double margin = Margin * (1.0 + std::abs(low) + std::abs(high));
       return low <= high &&
         std::any_of(this->Intervals.begin(), this->Intervals.end(),
@@ -181,9 +184,11 @@ private:
 
 //------------------------------------------------------------------------------
 std::vector<unsigned char> vtkTFCBrickActivity::Find(const vtkTFCBrickRanges& ranges,
-  const vtkTFCCompiledModel& model, const std::vector<vtkTFCStoredAttribute>& stored)
+  const vtkTFCBrickRanges& moreRanges, const vtkTFCCompiledModel& model,
+  const std::vector<vtkTFCStoredAttribute>& stored)
 {
   const auto& bricks = ranges.GetRanges();
+  const auto& more = moreRanges.GetRanges();
   std::vector<unsigned char> active(bricks.size(), 0);
   if (model.Regions.empty())
   {
@@ -195,7 +200,7 @@ std::vector<unsigned char> vtkTFCBrickActivity::Find(const vtkTFCBrickRanges& ra
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        active[i] = test.IsActive(bricks[i]) ? 1 : 0;
+        active[i] = test.IsActive(bricks[i], more.empty() ? nullptr : &more[i]) ? 1 : 0;
       }
     });
   return active;

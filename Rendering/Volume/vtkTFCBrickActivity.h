@@ -29,10 +29,12 @@ constexpr int LargestDistance = 31;
 
 /**
  * For every brick 1 when it is active, else 0. `stored` says how the attributes of `model` are
- * stored in the channels that `ranges` were taken of.
+ * stored in the channels that `ranges` were taken of, those beyond the fourth in `moreRanges`,
+ * which is empty where there are none.
  */
 VTKTFCVOLUME_EXPORT std::vector<unsigned char> Find(const vtkTFCBrickRanges& ranges,
-  const vtkTFCCompiledModel& model, const std::vector<vtkTFCStoredAttribute>& stored);
+  const vtkTFCBrickRanges& moreRanges, const vtkTFCCompiledModel& model,
+  const std::vector<vtkTFCStoredAttribute>& stored);
 
 /**
  * For every brick the chessboard distance to the nearest active brick, in bricks: 0 for active

@@ -20,8 +20,8 @@ class vtkVolume;
 
 struct VTKTFCVOLUME_EXPORT vtkTFCGraphicsSupport
 {
-  /// Seven of VTK's (volume, depth, noise, two functions, coordinates, blanking) and three of ours.
-  static constexpr int NeededTextureUnits = 10;
+  /// Seven of VTK's (volume, depth, noise, two functions, coordinates, blanking) and four of ours.
+  static constexpr int NeededTextureUnits = 11;
   static constexpr int NeededTextureSide = 64;
 
   bool HasOpenGL = false;     ///< a window of VTK's OpenGL, version 3.2 or later

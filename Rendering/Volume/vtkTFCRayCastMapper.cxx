@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCRayCastMapper.h"
 
+#include "vtkTFCAttributeTexture.h"
 #include "vtkTFCBrickTexture.h"
 #include "vtkTFCGradientTexture.h"
 #include "vtkTFCPatch.h"
@@ -48,6 +49,7 @@ std::string MakeDefinitions(unsigned int features, bool cropping, bool shaded)
     { vtkTFCShaderTables::Tertiaries, "TFC_TERTIARIES" },
     { vtkTFCShaderTables::TertiaryColors, "TFC_TERTIARY_COLORS" },
     { vtkTFCShaderTables::Patches, "TFC_PATCHES" },
+    { vtkTFCShaderTables::MoreAttributes, "TFC_MORE_ATTRIBUTES" },
   };
   for (const auto& [feature, name] : names)
   {
@@ -126,6 +128,7 @@ vtkTFCRayCastMapper::vtkTFCRayCastMapper()
   : Texture(new vtkTFCTableTexture)
   , BrickTexture(new vtkTFCBrickTexture)
   , GradientTexture(new vtkTFCGradientTexture)
+  , AttributeTexture(new vtkTFCAttributeTexture)
 {
   this->AutoAdjustSampleDistances = 0;
   this->UseJittering = 0;
@@ -174,6 +177,7 @@ void vtkTFCRayCastMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Texture->ReleaseGraphicsResources(window);
   this->BrickTexture->ReleaseGraphicsResources(window);
   this->GradientTexture->ReleaseGraphicsResources(window);
+  this->AttributeTexture->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -229,11 +233,6 @@ bool vtkTFCRayCastMapper::UploadTextures(vtkOpenGLRenderWindow* window, vtkVolum
       << this->BrickDimensions[2] << " bytes for skipping empty space.");
     return false;
   }
-  if (!property->GetShade())
-  {
-    this->GradientTexture->ReleaseGraphicsResources(window);
-    return true;
-  }
   int cellFlag = 0;
   auto* image = vtkImageData::SafeDownCast(this->GetInput());
   auto* packed = vtkFloatArray::SafeDownCast(vtkAbstractMapper::GetScalars(image, this->ScalarMode,
@@ -243,13 +242,30 @@ bool vtkTFCRayCastMapper::UploadTextures(vtkOpenGLRenderWindow* window, vtkVolum
   {
     texels[axis] = std::max(1, image->GetDimensions()[axis] - (cellFlag == 1 ? 1 : 0));
   }
-  if (!this->GradientTexture->Upload(window, packed, texels,
-        property->GetInterpolationType() == VTK_LINEAR_INTERPOLATION))
+  const bool linear = property->GetInterpolationType() == VTK_LINEAR_INTERPOLATION;
+  const auto refuse = [&](const char* what, const char* remedy)
   {
     vtkErrorMacro("The graphics driver refuses a texture of "
-      << texels[0] << " x " << texels[1] << " x " << texels[2]
-      << " gradients for shading. Switch shading off, or use fewer voxels.");
+      << texels[0] << " x " << texels[1] << " x " << texels[2] << " " << what << ". " << remedy);
     return false;
+  };
+  if (!this->MoreAttributes)
+  {
+    this->AttributeTexture->ReleaseGraphicsResources(window);
+  }
+  else if (!this->AttributeTexture->Upload(window, this->MoreAttributes, texels, linear))
+  {
+    return refuse("x 16 bytes for the fifth to eighth attribute",
+      "Let regions share their tertiary attributes, or use fewer voxels.");
+  }
+  if (!property->GetShade())
+  {
+    this->GradientTexture->ReleaseGraphicsResources(window);
+  }
+  else if (!this->GradientTexture->Upload(window, packed, texels, linear))
+  {
+    return refuse("x 8 bytes for the gradients of shading",
+      "Switch shading off, or use fewer voxels.");
   }
   return true;
 }
@@ -273,6 +289,20 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
     vol->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("in_tfcGradients",
       this->GradientTexture->GetTextureUnit());
   }
+  // Compiled once, the shader has the sampler whether or not this block has a texture for it.
+  const bool more =
+    ((this->Features | this->Tables.FeaturesUsed) & vtkTFCShaderTables::MoreAttributes) != 0;
+  vtkTFCTexture3D* third = this->BrickTexture.get();
+  if (more && this->MoreAttributes)
+  {
+    third = this->AttributeTexture.get();
+    third->Activate();
+  }
+  if (more)
+  {
+    vol->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("in_tfcMoreAttributes",
+      third->GetTextureUnit());
+  }
   InstallReplacements(vol->GetShaderProperty(),
     MakeDefinitions(this->Features | this->Tables.FeaturesUsed, this->HasCropped, shaded) +
       MakeBlending(this->Blending));
@@ -281,6 +311,10 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
   if (shaded)
   {
     this->GradientTexture->Deactivate();
+  }
+  if (more && this->MoreAttributes)
+  {
+    this->AttributeTexture->Deactivate();
   }
   this->BrickTexture->Deactivate();
   this->Texture->Deactivate();

@@ -27,7 +27,9 @@
 #ifndef vtkTFCRayCastMapper_h
 #define vtkTFCRayCastMapper_h
 
+#include "vtkFloatArray.h" // For arrays
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
+#include "vtkSmartPointer.h"    // For arrays
 #include "vtkTFCShaderTables.h" // For the tables
 #include "vtkTFCVolumeModule.h" // For export macro
 
@@ -35,6 +37,7 @@
 #include <memory> // For the texture
 #include <vector> // For planes
 
+class vtkTFCAttributeTexture;
 class vtkTFCBrickTexture;
 class vtkTFCGradientTexture;
 class vtkTFCTableTexture;
@@ -83,6 +86,9 @@ public:
   void SetBricks(std::vector<unsigned char> distances, const std::array<int, 3>& dimensions,
     int brickSize);
 
+  /// Channels 4 to 7 of the input's texels, or null.
+  void SetMoreAttributes(vtkFloatArray* array) { this->MoreAttributes = array; }
+
   /// World distance between samples and over which the model's opacities hold.
   void SetDistances(double sampleDistance, double unitDistance);
 
@@ -117,6 +123,8 @@ private:
   unsigned int BrickGeneration = 1;
   std::unique_ptr<vtkTFCBrickTexture> BrickTexture;
   std::unique_ptr<vtkTFCGradientTexture> GradientTexture;
+  std::unique_ptr<vtkTFCAttributeTexture> AttributeTexture;
+  vtkSmartPointer<vtkFloatArray> MoreAttributes;
   Visibility Visible;
   bool HasCropped = false; // other than a box: compiled only once it is needed
   double UnitDistance = 1;

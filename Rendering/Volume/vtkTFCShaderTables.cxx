@@ -291,6 +291,9 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
   }
 
   tables.FeaturesUsed = features | FindFeatures(model);
+  const bool hasMore = std::any_of(stored.begin(), stored.end(),
+    [](const vtkTFCStoredAttribute& attribute) { return attribute.Channel > 3; });
+  tables.FeaturesUsed |= hasMore ? MoreAttributes : 0;
   const bool hasTertiaries = tables.FeaturesUsed & Tertiaries;
 
   // Where very many regions overlap in very many ways, a coarser grid keeps the list short.

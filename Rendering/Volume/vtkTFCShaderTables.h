@@ -68,7 +68,8 @@ struct VTKTFCVOLUME_EXPORT vtkTFCShaderTables
     Gaussians = 2,
     Tertiaries = 4,
     TertiaryColors = 8,
-    Patches = 16 ///< cells where many regions overlap
+    Patches = 16,       ///< cells where many regions overlap
+    MoreAttributes = 32 ///< channels beyond the fourth
   };
   unsigned int FeaturesUsed = 0; ///< by the model, and those asked for
 

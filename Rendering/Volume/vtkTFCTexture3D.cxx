@@ -43,6 +43,16 @@ bool vtkTFCTexture3D::CreateBytes(vtkOpenGLRenderWindow* context, const std::arr
 }
 
 //------------------------------------------------------------------------------
+bool vtkTFCTexture3D::CreateFloats(vtkOpenGLRenderWindow* context, const std::array<int, 3>& texels,
+  const float* values)
+{
+  this->Prepare(context);
+  return this->Texture->Create3DFromRaw(static_cast<unsigned int>(texels[0]),
+    static_cast<unsigned int>(texels[1]), static_cast<unsigned int>(texels[2]), 4, VTK_FLOAT,
+    const_cast<float*>(values));
+}
+
+//------------------------------------------------------------------------------
 bool vtkTFCTexture3D::CreateHalfFloats(vtkOpenGLRenderWindow* context,
   const std::array<int, 3>& texels, const std::uint16_t* values)
 {

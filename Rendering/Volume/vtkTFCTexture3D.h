@@ -37,10 +37,13 @@ protected:
   bool IsIn(vtkOpenGLRenderWindow* context) const;
 
   ///@{
-  /// Make it from bytes, one channel, or from half floats, four channels, x fastest; outside of it
-  /// its border repeats. The context must be current. Returns false when the driver refuses.
+  /// Make it from bytes, one channel, or from floats or half floats, four channels, x fastest;
+  /// outside of it its border repeats. The context must be current. Returns false when the driver
+  /// refuses.
   bool CreateBytes(vtkOpenGLRenderWindow* context, const std::array<int, 3>& texels,
     const std::uint8_t* values);
+  bool CreateFloats(vtkOpenGLRenderWindow* context, const std::array<int, 3>& texels,
+    const float* values);
   bool CreateHalfFloats(vtkOpenGLRenderWindow* context, const std::array<int, 3>& texels,
     const std::uint16_t* values);
   ///@}

@@ -146,12 +146,18 @@ void vtkTFCVolumeBlock::UpdateBricks(const vtkTFCCompiledModel& model, bool skip
         texels[axis] = std::max(1, image->GetDimensions()[axis] - (cells ? 1 : 0));
       }
       this->Ranges.Compute(array->GetPointer(0), texels, array->GetNumberOfComponents());
+      this->MoreRanges = vtkTFCBrickRanges();
+      if (vtkFloatArray* more = this->Packer.GetMore())
+      {
+        this->MoreRanges.Compute(more->GetPointer(0), texels, more->GetNumberOfComponents());
+      }
       this->RangesPackGeneration = this->Packer.GetGeneration();
     }
     const auto& dimensions = this->Ranges.GetDimensions();
     this->Caster->SetBricks(
       vtkTFCBrickActivity::FindDistances(
-        vtkTFCBrickActivity::Find(this->Ranges, model, this->Packer.GetStored()), dimensions),
+        vtkTFCBrickActivity::Find(this->Ranges, this->MoreRanges, model, this->Packer.GetStored()),
+        dimensions),
       dimensions, this->Ranges.GetBrickSize());
   }
   this->Skipping = skipping;
@@ -246,6 +252,7 @@ void vtkTFCVolumeBlock::Render(vtkRenderer* ren, vtkVolume* vol, vtkVolumeMapper
     this->Packer.IsCellData() ? VTK_SCALAR_MODE_USE_CELL_DATA : VTK_SCALAR_MODE_USE_POINT_DATA);
   this->Caster->SetFeatures(features);
   this->Caster->SetBlending(mapper->GetBlendMode());
+  this->Caster->SetMoreAttributes(this->Packer.GetMore());
   this->Caster->SetVisibility(this->FindVisibility(mapper, vol));
   this->Caster->SetDistances(sampleDistance, vol->GetProperty()->GetScalarOpacityUnitDistance());
   this->Caster->SetInteractive(ren->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0);

@@ -91,6 +91,7 @@ private:
   unsigned int TablesPackGeneration = 0;
 
   vtkTFCBrickRanges Ranges;
+  vtkTFCBrickRanges MoreRanges; // of channels 4 to 7, where there are any
   unsigned int RangesPackGeneration = 0;
   bool Skipping = false; // whether the caster was given the distances of bricks
 };

@@ -77,8 +77,11 @@ bool vtkTFCVolumeMapper::Internals::UpdateBlocks(vtkTFCVolumeMapper* mapper, vtk
   limits.LongestSide = mapper->LongestTextureSide > 0
     ? mapper->LongestTextureSide
     : vtkTextureObject::GetMaximumTextureSize3D(window);
-  const vtkIdType voxelBytes =
-    (this->Model.Attributes.size() > 2 ? 16 : 8) + (vol->GetProperty()->GetShade() ? 8 : 0);
+  const size_t attributes = this->Model.Attributes.size();
+  const vtkIdType voxelBytes = (attributes > 4      ? 32
+                                   : attributes > 2 ? 16
+                                                    : 8) +
+    (vol->GetProperty()->GetShade() ? 8 : 0);
   const vtkIdType limit = static_cast<vtkIdType>(mapper->MemoryLimit) << 20;
   if (limit > 0)
   {

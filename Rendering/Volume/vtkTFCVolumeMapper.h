@@ -16,7 +16,7 @@
  * may differ in extent, spacing and resolution and should not overlap. Blocks that lack an
  * attribute are not drawn; that none has it is an error. Images too large for a 3D texture or for
  * MemoryLimit are drawn in pieces. Blocks are drawn back to front; rays are cut alike in all, so no
- * seams appear. At most two axes and two different tertiary attributes at a time, any number of
+ * seams appear. At most two axes and six different tertiary attributes at a time, any number of
  * regions. NaN values and blanked points or cells are invisible; ghost cells are used for gradients
  * and not drawn. One-voxel-thick images are drawn as slabs of one voxel.
  *
@@ -49,8 +49,9 @@
  * the packed texture to the classification. Its colour and opacity functions are not used.
  *
  * Memory besides the input: 16 bytes a voxel on the CPU and 16 on the GPU, half of that as long as
- * no region has a tertiary attribute of its own; for skipping empty space 0.5 on the CPU; with
- * shading 8 more on the GPU. The transfer function takes some 100 KB, at most 20 MB.
+ * no region has a tertiary attribute of its own, twice that with more than two of them; for
+ * skipping empty space 0.5 on the CPU; with shading 8 more on the GPU. The transfer function takes
+ * some 100 KB, at most 20 MB.
  *
  * It derives from vtkMultiBlockVolumeMapper because ParaView's vtkPVLODVolume renders no other
  * mapper without selected scalars.

@@ -99,6 +99,24 @@ TEST_F(EmptySpace, AlongAnAxisAndFromInside)
   this->ExpectSamePicture();
 }
 
+TEST_F(EmptySpace, SevenAttributes)
+{
+  std::string regions;
+  for (int i = 0; i < 5; ++i)
+  {
+    const std::string name = "v" + std::to_string(i);
+    AddField(this->Image, name.c_str(),
+      [i](double x, double y, double z)
+      { return 0.5 + 0.5 * std::sin(0.05 * (i + 1) * x + 0.03 * y - 0.02 * i * z); });
+    regions += (i ? "," : "") +
+      MakeBlob(i + 1, 0.2 + 0.15 * i, 0.4 + 0.1 * (i % 3),
+        R"({"array": ")" + name + R"(", "component": 0, "range": [0, 1],
+          "opacity": [[0.6, 0], [0.8, 1]]})");
+  }
+  this->SetRegions(regions);
+  this->ExpectSamePicture();
+}
+
 TEST_F(EmptySpace, Shaded)
 {
   this->Scene.Volume->GetProperty()->ShadeOn();
@@ -211,7 +229,7 @@ TEST(BrickActivity, NoVisibleVoxelIsInAnInactiveBrick)
 
     vtkTFCBrickRanges ranges;
     ranges.Compute(values.data(), texels, 4);
-    const auto active = vtkTFCBrickActivity::Find(ranges, model, stored);
+    const auto active = vtkTFCBrickActivity::Find(ranges, {}, model, stored);
     const auto& bricks = ranges.GetDimensions();
     const vtkTFCClassifier classifier(model);
     for (size_t i = 0; i < count; ++i)

@@ -101,20 +101,20 @@ TEST_F(Errors, MissingComponent)
 
 TEST_F(Errors, MoreAttributesThanChannels)
 {
-  for (const char* name : { "a", "b", "c" })
+  for (const char* name : { "a", "b", "c", "d", "e", "f", "g" })
   {
     AddField(this->Image, name, [](double, double, double) { return 0.5; });
   }
   std::string regions;
   int id = 0;
-  for (const char* name : { "a", "b", "c" })
+  for (const char* name : { "a", "b", "c", "d", "e", "f", "g" })
   {
     std::string fog = FogOf(name);
     fog.replace(fog.find("\"id\": 1"), 7, "\"id\": " + std::to_string(++id));
     regions += (id > 1 ? ", " : "") + fog;
   }
   this->Set(MakeState(regions));
-  this->ExpectError({ "5 attributes", "at most 4" });
+  this->ExpectError({ "9 attributes", "at most 8" });
   this->ExpectRecovery();
 }
 

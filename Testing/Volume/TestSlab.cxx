@@ -27,6 +27,12 @@ double TertiaryOf(double worldX, double worldY)
   return (worldX + 2 * worldY) / (3 * (Voxels - 1));
 }
 
+// Attribute "u0" to "u5" at a place.
+double FurtherOf(int number, double worldX, double worldY)
+{
+  return ((number + 1) * worldX + (6 - number) * worldY) / (7 * (Voxels - 1));
+}
+
 // What the pixel at (column, row) must be; `scale` is the size of a pixel in world units.
 std::array<float, 4> Reference(const vtkTFCClassifier& classifier, double column, double row,
   double scale)
@@ -34,11 +40,19 @@ std::array<float, 4> Reference(const vtkTFCClassifier& classifier, double column
   const double middle = 0.5 * (Voxels - 1);
   const double worldX = middle + scale * (column + 0.5 - 0.5 * Size);
   const double worldY = middle + scale * (row + 0.5 - 0.5 * Size);
-  const double values[3] = { AxisOf(worldX), AxisOf(worldY), TertiaryOf(worldX, worldY) };
+  double values[9] = { AxisOf(worldX), AxisOf(worldY), TertiaryOf(worldX, worldY) };
+  for (int i = 0; i < 6; ++i)
+  {
+    values[3 + i] = FurtherOf(i, worldX, worldY);
+  }
   std::vector<const double*> attributes;
   for (const auto& attribute : classifier.GetModel().Attributes)
   {
-    attributes.push_back(&values[attribute.Array == "x" ? 0 : attribute.Array == "y" ? 1 : 2]);
+    const std::string& name = attribute.Array;
+    attributes.push_back(&values[name == "x" ? 0
+        : name == "y"                        ? 1
+        : name == "t"                        ? 2
+                                             : 3 + std::stoi(name.substr(1))]);
   }
   std::array<float, 4> rgba;
   classifier.Classify(1, attributes.data(), rgba.data());
@@ -74,6 +88,11 @@ void ExpectSlabMatches(const std::string& state, double scale = 1.0)
   AddField(image, "x", [](double x, double, double) { return AxisOf(x); });
   AddField(image, "y", [](double, double y, double) { return AxisOf(y); });
   AddField(image, "t", [](double x, double y, double) { return TertiaryOf(x, y); });
+  for (int i = 0; i < 6; ++i)
+  {
+    AddField(image, ("u" + std::to_string(i)).c_str(),
+      [i](double x, double y, double) { return FurtherOf(i, x, y); });
+  }
   scene.Mapper->SetInputData(image);
   const double middle = 0.5 * (Voxels - 1);
   scene.LookAlongZ(middle, middle, 0, Size * scale);
@@ -184,6 +203,23 @@ TEST(Slab, AxisAsTertiaryMatchesTheReference)
     "opacity": [[0.3, 0], [0.5, 1], [0.7, 0]]})";
   ExpectSlabMatches(
     MakeState(MakeRegion(1, Shapes[1], R"({"type": "constant"})", "[0.2, 0.8, 1]", 0.7, tertiary)));
+}
+
+TEST(Slab, EightAttributesMatchTheReference)
+{
+  std::string regions;
+  for (int i = 0; i < 6; ++i)
+  {
+    const std::string low = std::to_string(0.15 + 0.08 * i);
+    const std::string high = std::to_string(0.45 + 0.05 * i);
+    regions += (i ? "," : "") +
+      MakeRegion(i + 1, Shapes[i % 4], R"({"type": "linear", "width": 0.8})",
+        i % 2 ? "[0.3, 0.9, 0.1]" : "[0.9, 0.2, 0.7]", 0.5 + 0.05 * i,
+        R"({"array": "u)" + std::to_string(i) + R"(", "component": 0, "range": [0, 1],
+          "opacity": [[)" +
+          low + ", 0], [" + high + ", 1], [0.95, 0.2]]}");
+  }
+  ExpectSlabMatches(MakeState(regions));
 }
 
 TEST(Slab, ManyOverlappingRegionsMatchTheReference)

@@ -16,23 +16,28 @@ Function Combinations", Computers & Graphics 36(6), 2012)::
 
 Everything is in data units. ``help(tfc.TransferFunction)`` has the details, ``tfc.show`` renders,
 ``tfc.attributes`` computes attributes of a volume, ``tfc.score`` ranks them, ``tfc.suggest``
-proposes axes, ``tfc.split`` says what to do in a region, ``tfc.quality`` compares a transfer
-function with labels. The plugin is loaded when it is first needed.
+proposes axes, ``tfc.propose`` a first transfer function, ``tfc.split`` says what to do in a
+region, ``tfc.quality`` compares a transfer function with labels, ``tfc.pick`` says why a pixel looks
+as it does. The plugin is loaded when it is first needed.
 """
 
 from .advice import Split, Suggestion, split, suggest
 from .attributes import attributes
 from .display import apply, show
 from .model import Region, TransferFunction, load
+from .picking import Pick, RegionShare, pick
 from .plugin import load_plugin
+from .proposal import propose
 from .quality import LabelQuality, Quality, quality
 from .scoring import Interval, Score, Stability, score, stability
 
 __all__ = [
     "Interval",
     "LabelQuality",
+    "Pick",
     "Quality",
     "Region",
+    "RegionShare",
     "Score",
     "Split",
     "Stability",
@@ -42,6 +47,8 @@ __all__ = [
     "attributes",
     "load",
     "load_plugin",
+    "pick",
+    "propose",
     "quality",
     "score",
     "show",

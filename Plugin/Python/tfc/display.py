@@ -100,8 +100,9 @@ def _traced(display):
         item.finalize()
 
 
-def show(source, tf, view=None, unit_distance=None, shade=None):
-    """Show a source as "Combined Volume" with a transfer function and return the display.
+def show(source, tf=None, view=None, unit_distance=None, shade=None):
+    """Show a source as "Combined Volume" with a transfer function and return the display. Without
+    one it is that of :func:`tfc.propose`.
 
     ``unit_distance`` is the length, in world units, over which the opacities of the regions hold
     (ParaView's choice by default: about one cell); ``shade`` switches lighting by the gradient of
@@ -114,6 +115,10 @@ def show(source, tf, view=None, unit_distance=None, shade=None):
 
     load_plugin()
     view = view or simple.GetActiveViewOrCreate("RenderView")
+    if tf is None:
+        from .proposal import propose  # it needs this module
+
+        tf = propose(source)
     state = _prepare(source, tf)
     display = simple.Show(source, view)
     available = list(display.GetProperty("Representation").GetAvailable())

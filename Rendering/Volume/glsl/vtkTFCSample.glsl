@@ -30,6 +30,9 @@ float g_tfcVisible; // unit distances of the ray with something to see
 
 float computeOpacity(vec4 attributes)
 {
+#ifdef TFC_MORE_ATTRIBUTES
+  g_tfcMoreAttributes = texture(in_tfcMoreAttributes, g_dataPos);
+#endif
   vec4 classified = tfcClassify(attributes, g_tfcCell);
   g_tfcColor = classified.rgb;
 #ifdef TFC_COMPOSITE

@@ -5,8 +5,17 @@
 
 #ifdef TFC_TERTIARIES
 
+#ifdef TFC_MORE_ATTRIBUTES
+uniform sampler3D in_tfcMoreAttributes; // channels 4 to 7
+vec4 g_tfcMoreAttributes;               // at the middle of the current piece
+#endif
+
 float tfcChannel(vec4 attributes, int channel)
 {
+#ifdef TFC_MORE_ATTRIBUTES
+  attributes = channel < 4 ? attributes : g_tfcMoreAttributes;
+  channel &= 3;
+#endif
   vec2 pair = channel < 2 ? attributes.xy : attributes.zw;
   return (channel & 1) == 0 ? pair.x : pair.y;
 }

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqTFCAdvice.h"
+
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+#include "pqServer.h"
+#include "pqTFCDocument.h"
+#include "pqUndoStack.h"
+#include "vtkPVSession.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkTFCTableInformation.h"
+#include "vtkTFCTransferFunction.h"
+
+#include <QCursor>
+#include <QGuiApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr double BALANCE = 0.4; // the paper's
+
+// The advice's names: "name", "name:2" or "name:magnitude".
+std::string NameOf(const std::string& array, int component, bool single)
+{
+  return single ? array : array + ":" + (component < 0 ? "magnitude" : std::to_string(component));
+}
+}
+
+//-----------------------------------------------------------------------------
+double pqTFCAdvice::Candidate::Score(double balance) const
+{
+  return -balance * std::abs(this->Correlation) +
+    (1 - balance) * this->Entropy / this->LargestEntropy;
+}
+
+//-----------------------------------------------------------------------------
+pqTFCAdvice::pqTFCAdvice(pqTFCDocument* document, QObject* parentObject)
+  : Superclass(parentObject)
+  , Document(document)
+{
+  QObject::connect(document, &pqTFCDocument::attributesChanged, this, &pqTFCAdvice::forget);
+  QObject::connect(document, &pqTFCDocument::targetChanged, this, &pqTFCAdvice::forget);
+}
+
+//-----------------------------------------------------------------------------
+pqTFCAdvice::~pqTFCAdvice() = default;
+
+//-----------------------------------------------------------------------------
+void pqTFCAdvice::forget()
+{
+  this->Candidates.clear();
+  this->CandidatesAxes.clear();
+}
+
+//-----------------------------------------------------------------------------
+vtkSmartPointer<vtkTFCTableInformation> pqTFCAdvice::run(const char* name,
+  const std::function<void(vtkSMProxy*)>& prepare)
+{
+  auto table = vtkSmartPointer<vtkTFCTableInformation>::New();
+  pqOutputPort* port = this->Document->link()->input();
+  if (!port)
+  {
+    return table;
+  }
+  SCOPED_UNDO_EXCLUDE();
+  vtkSmartPointer<vtkSMSourceProxy> filter;
+  filter.TakeReference(
+    vtkSMSourceProxy::SafeDownCast(port->getServer()->proxyManager()->NewProxy("filters", name)));
+  if (!filter)
+  {
+    return table;
+  }
+  QGuiApplication::setOverrideCursor(QCursor(Qt::WaitCursor));
+  vtkSMPropertyHelper(filter, "Input").Set(port->getSource()->getProxy(), port->getPortNumber());
+  prepare(filter);
+  filter->UpdateVTKObjects();
+  filter->UpdatePipeline(this->Document->time());
+  filter->GatherInformation(table, vtkPVSession::DATA_SERVER);
+  QGuiApplication::restoreOverrideCursor();
+  return table;
+}
+
+//-----------------------------------------------------------------------------
+const std::vector<pqTFCAdvice::Candidate>& pqTFCAdvice::candidates()
+{
+  vtkTFCTransferFunction* model = this->Document->model();
+  std::string axes;
+  std::string names[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const std::string& array = model->GetAxisArray(i);
+    const int component = model->GetAxisComponent(i);
+    // Arrays with several components have a magnitude.
+    names[i] = NameOf(array, component, !this->Document->findAttribute(array, -1));
+    axes += names[i] + "\n";
+  }
+  if (axes == this->CandidatesAxes || !model->HasAxes() || !this->Document->isReady())
+  {
+    return this->Candidates;
+  }
+  this->CandidatesAxes = axes;
+  this->Candidates.clear();
+  const auto table = this->run("CombinationScore",
+    [&](vtkSMProxy* filter)
+    {
+      vtkSMPropertyHelper(filter, "Primary").Set(names[0].c_str());
+      vtkSMPropertyHelper(filter, "Secondary").Set(names[1].c_str());
+      vtkSMPropertyHelper(filter, "Balance").Set(BALANCE);
+    });
+  double largest = 0;
+  for (int row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const double entropy = table->GetNumber("entropy", row);
+    largest = std::isfinite(entropy) ? std::max(largest, entropy) : largest;
+  }
+  for (int row = 0; row < table->GetNumberOfRows() && largest > 0; ++row)
+  {
+    Candidate candidate;
+    const std::string name = table->GetText("attribute", row);
+    candidate.Correlation = table->GetNumber("correlation", row);
+    candidate.Entropy = table->GetNumber("entropy", row);
+    candidate.LargestEntropy = largest;
+    if (!(table->GetNumber("rank", row) > 0))
+    {
+      continue;
+    }
+    for (const pqTFCAttribute& attribute : this->Document->attributes())
+    {
+      const bool single = !this->Document->findAttribute(attribute.Array, -1);
+      if (NameOf(attribute.Array, attribute.Component, single) == name)
+      {
+        candidate.Array = attribute.Array;
+        candidate.Component = attribute.Component;
+        candidate.Label = attribute.Label;
+        this->Candidates.push_back(candidate);
+      }
+    }
+  }
+  return this->Candidates;
+}
+
+//-----------------------------------------------------------------------------
+std::vector<pqTFCAdvice::Pair> pqTFCAdvice::pairs()
+{
+  std::vector<Pair> pairs;
+  const auto table = this->run("AxisSuggestion", [](vtkSMProxy*) {});
+  for (int row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    // One row per pair and tertiary attribute.
+    const Pair pair = { table->GetText("primary", row), table->GetText("secondary", row),
+      QString::fromStdString(table->GetText("kind", row)), table->GetNumber("pair_score", row) };
+    const auto same = [&pair](const Pair& other)
+    { return other.Primary == pair.Primary && other.Secondary == pair.Secondary; };
+    if (!pair.Primary.empty() && std::none_of(pairs.begin(), pairs.end(), same))
+    {
+      pairs.push_back(pair);
+    }
+  }
+  return pairs;
+}
+
+//-----------------------------------------------------------------------------
+std::vector<pqTFCAdvice::Split> pqTFCAdvice::splits(int region)
+{
+  std::vector<Split> splits;
+  const QString state = this->Document->state();
+  const auto table = this->run("RegionSplit",
+    [&](vtkSMProxy* filter)
+    { vtkSMPropertyHelper(filter, "TransferFunction").Set(state.toUtf8().constData()); });
+  for (int row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    if (static_cast<int>(table->GetNumber("region", row)) == region &&
+      table->GetNumber("rank", row) > 0)
+    {
+      splits.push_back({ QString::fromStdString(table->GetText("attribute", row)),
+        table->GetNumber("power", row), table->GetNumber("cut", row),
+        table->GetNumber("below", row), QString::fromStdString(table->GetText("keep_above", row)),
+        QString::fromStdString(table->GetText("keep_below", row)) });
+    }
+  }
+  return splits;
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCAdvice::apply(int region, const QString& tertiary)
+{
+  const QJsonObject function = QJsonDocument::fromJson(tertiary.toUtf8()).object();
+  QJsonObject state = QJsonDocument::fromJson(this->Document->state().toUtf8()).object();
+  QJsonArray regions = state["regions"].toArray();
+  for (int i = 0; i < regions.size(); ++i)
+  {
+    QJsonObject object = regions[i].toObject();
+    if (object["id"].toInt() == region && !function.isEmpty())
+    {
+      object["tertiary"] = function;
+      regions[i] = object;
+    }
+  }
+  state["regions"] = regions;
+  state.remove("x-proposal");
+  this->Document->replace(tr("Follow advice"),
+    QString::fromUtf8(QJsonDocument(state).toJson(QJsonDocument::Compact)));
+}

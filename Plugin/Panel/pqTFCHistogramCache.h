@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqTFCHistogramCache
+ * @brief Joint histograms from the server, kept on the client.
+ *
+ * request() answers at once from what is there. When the histogram is not there, or older than the
+ * data, it is fetched a little later, outside of any drag, because fetching blocks the window
+ * (ParaView 5.11 handles no events while a server works); arrived() is emitted then. One hidden
+ * filter per input stays on the server; only histograms are sent, never data.
+ */
+
+#ifndef pqTFCHistogramCache_h
+#define pqTFCHistogramCache_h
+
+#include <QObject>
+#include <QPointer>
+#include <QTimer>
+
+#include "vtkSmartPointer.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+class pqOutputPort;
+class vtkSMSourceProxy;
+class vtkTFCSparseHistogram;
+
+/// Component of an array with the range that is counted.
+struct pqTFCAxis
+{
+  std::string Array;
+  int Component = 0;
+  double Range[2] = { 0, 1 };
+  bool Integral = false; ///< values are whole numbers
+  bool operator<(const pqTFCAxis& other) const;
+};
+
+class pqTFCHistogramCache : public QObject
+{
+  Q_OBJECT
+  typedef QObject Superclass;
+
+public:
+  pqTFCHistogramCache(QObject* parent = nullptr);
+  ~pqTFCHistogramCache() override;
+
+  /// Where the data are; another input drops all histograms.
+  void setInput(pqOutputPort* port, double time);
+
+  /// The data changed: what is there stays until it is fetched anew.
+  void setStale();
+  bool isStale() const;
+
+  /// A histogram of two or (with an array name in the third) three axes; null when it is not there
+  /// yet. What is returned may be stale.
+  vtkTFCSparseHistogram* request(const pqTFCAxis& primary, const pqTFCAxis& secondary,
+    const pqTFCAxis& tertiary);
+
+  /// Nothing is fetched while something is dragged.
+  void setPaused(bool paused);
+
+  /// Fetch what is wanted now instead of in a moment.
+  void fetchNow();
+
+Q_SIGNALS:
+  void arrived();
+
+private Q_SLOTS:
+  void fetch();
+  void clear();
+
+private:
+  Q_DISABLE_COPY(pqTFCHistogramCache)
+
+  using Key = std::vector<pqTFCAxis>;
+  struct Entry
+  {
+    vtkSmartPointer<vtkTFCSparseHistogram> Histogram;
+    bool Stale = false;
+    unsigned int LastUse = 0;
+  };
+  vtkSmartPointer<vtkTFCSparseHistogram> compute(const Key& key);
+
+  QPointer<pqOutputPort> Port;
+  double Time = 0;
+  vtkSmartPointer<vtkSMSourceProxy> Filter;
+  std::map<Key, Entry> Entries;
+  std::vector<Key> Wanted;
+  unsigned int Uses = 0;
+  bool Paused = false;
+  QTimer Timer;
+};
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqTFCPanel
+ * @brief The dock "Combined Transfer Functions": an editor of the property `TransferFunction` of
+ * the active "Combined Volume" representation.
+ *
+ * It puts the parts together: axes, chart, list of regions, their values, and the 1D function of
+ * the selected one. They share a pqTFCDocument and know nothing of each other.
+ */
+
+#ifndef pqTFCPanel_h
+#define pqTFCPanel_h
+
+#include <QDockWidget>
+#include <QString>
+
+class QAction;
+class QLabel;
+class QMenu;
+class QToolBar;
+class pqTFCAdvice;
+class pqTFCAxisBar;
+class pqTFCChartWidget;
+class pqTFCDocument;
+class pqTFCMessageBar;
+class pqTFCTertiaryEditor;
+
+class pqTFCPanel : public QDockWidget
+{
+  Q_OBJECT
+  typedef QDockWidget Superclass;
+
+  /// For tests: the JSON text as the property has it, and what the panel says.
+  Q_PROPERTY(QString state READ state)
+  Q_PROPERTY(int stateNumber READ stateNumber)
+  Q_PROPERTY(QString message READ message)
+  Q_PROPERTY(int regions READ regions)
+  Q_PROPERTY(QString selectedShape READ selectedShape)
+  Q_PROPERTY(int voxelsInPlane READ voxelsInPlane)
+  Q_PROPERTY(int voxelsInRegion READ voxelsInRegion)
+  Q_PROPERTY(double millisecondsPerEvent READ millisecondsPerEvent)
+
+public:
+  pqTFCPanel(QWidget* parent = nullptr);
+  ~pqTFCPanel() override;
+
+  QString state() const;
+  /// Counts the different states that were asked for: undo is right when an old number returns.
+  int stateNumber();
+  QString message() const;
+  int regions() const;
+  QString selectedShape() const;
+  int voxelsInPlane();
+  int voxelsInRegion() const;
+  /// Of the last drag, see pqTFCDocument.
+  double millisecondsPerEvent() const;
+
+  /// Where a picked voxel is on the two axes, data units.
+  void showProbe(double primary, double secondary);
+  void clearProbe();
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private Q_SLOTS:
+  void onTargetChanged();
+  void onChanged(bool live);
+  void onHistograms();
+  void onHover();
+
+private:
+  Q_DISABLE_COPY(pqTFCPanel)
+
+  QToolBar* makeTools();
+  QMenu* makeHistogramMenu();
+  void updateIcons();
+  void updateChart();
+
+  pqTFCDocument* Document;
+  pqTFCAdvice* Advice;
+  pqTFCChartWidget* Chart;
+  pqTFCAxisBar* Axes;
+  pqTFCTertiaryEditor* Tertiary;
+  pqTFCMessageBar* Messages;
+  QLabel* Status;
+  QList<QAction*> Tools;
+  QList<QAction*> ReadyActions; ///< need something to edit
+  QStringList States;           ///< in the order of stateNumber()
+  QString EditLabel;            ///< of the edit that goes on in the chart
+};
+
+#endif

@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqTFCRegionForm.h"
+
+#include "pqColorChooserButton.h"
+#include "pqDoubleRangeWidget.h"
+#include "pqTFCDocument.h"
+#include "pqTFCField.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkTFCEllipseShape.h"
+#include "vtkTFCOutline.h"
+#include "vtkTFCPolygonShape.h"
+#include "vtkTFCRectangleShape.h"
+#include "vtkTFCRegion.h"
+#include "vtkTFCTransferFunction.h"
+#include "vtkTFCTriangleShape.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QRegularExpression>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+QString Number(double value)
+{
+  return QString::number(value, 'g', 7);
+}
+
+QString Pair(const double p[2])
+{
+  return Number(p[0]) + " " + Number(p[1]);
+}
+
+// All numbers of a text; false when there is anything else but separators.
+bool ParseNumbers(const QString& text, std::vector<double>& numbers)
+{
+  static const QRegularExpression separators("[\\s,;:()\\[\\]]+");
+  for (const QString& word : text.split(separators, Qt::SkipEmptyParts))
+  {
+    bool isNumber = false;
+    numbers.push_back(word.toDouble(&isNumber));
+    if (!isNumber || !std::isfinite(numbers.back()))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+//-----------------------------------------------------------------------------
+pqTFCRegionForm::pqTFCRegionForm(pqTFCDocument* document, QWidget* parentObject)
+  : Superclass(parentObject)
+  , Document(document)
+{
+  this->setObjectName("RegionForm");
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setHorizontalSpacing(4);
+  layout->setVerticalSpacing(2);
+
+  this->Color = new pqColorChooserButton(this);
+  this->Color->setObjectName("Color");
+  this->Color->setText(tr("Colour"));
+  this->Color->setShowAlphaChannel(false);
+  this->Color->setAccessibleName(tr("Colour of the region"));
+  this->Opacity = new pqDoubleRangeWidget(this);
+  this->Opacity->setObjectName("Opacity");
+  this->Opacity->setMinimum(0);
+  this->Opacity->setMaximum(1);
+  this->Opacity->setAccessibleName(tr("Opacity of the region"));
+  this->Opacity->setToolTip(tr("Opacity per unit distance where fall-off and tertiary are 1"));
+  this->Falloff = new QComboBox(this);
+  this->Falloff->setObjectName("Falloff");
+  this->Falloff->addItems({ tr("constant"), tr("linear"), tr("smooth"), tr("gaussian") });
+  this->Falloff->setAccessibleName(tr("Fall-off of the region"));
+  this->Falloff->setToolTip(tr("How the weight goes from the middle of the region to its outline"));
+  this->Width = new pqDoubleRangeWidget(this);
+  this->Width->setObjectName("Width");
+  this->Width->setMinimum(0.01);
+  this->Width->setMaximum(1);
+  this->Width->setAccessibleName(tr("Width of the fall-off"));
+  this->Width->setToolTip(tr("Part of the region in which the weight falls off"));
+  this->GeometryLabel = new QLabel(this);
+  this->Geometry = new pqTFCField(this);
+  this->Geometry->setObjectName("Geometry");
+  this->Geometry->setAccessibleName(tr("Geometry of the region"));
+
+  layout->addWidget(this->Color, 0, 0);
+  layout->addWidget(this->Opacity, 0, 1);
+  layout->addWidget(this->Falloff, 1, 0);
+  layout->addWidget(this->Width, 1, 1);
+  layout->addWidget(this->GeometryLabel, 2, 0);
+  layout->addWidget(this->Geometry, 2, 1);
+  layout->setColumnStretch(1, 1);
+
+  QObject::connect(this->Color, &pqColorChooserButton::validColorChosen, this,
+    &pqTFCRegionForm::onColor);
+  QObject::connect(this->Falloff, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+    &pqTFCRegionForm::onFalloff);
+  QObject::connect(this->Geometry, &pqTFCField::editingFinished, this,
+    &pqTFCRegionForm::onGeometry);
+  const auto connectSlider =
+    [this](pqDoubleRangeWidget* slider, const QString& label, void (*set)(vtkTFCRegion*, double))
+  {
+    // Live while the slider moves; one undo step when it is let go or a number was typed.
+    QObject::connect(slider, &pqDoubleRangeWidget::valueChanged, this,
+      [this, set](double value)
+      {
+        vtkTFCRegion* region = this->Document->activeRegion();
+        if (region && !this->Refreshing)
+        {
+          this->Document->begin();
+          this->Document->model()->SetProposal(false);
+          set(region, value);
+          this->Document->live();
+        }
+      });
+    QObject::connect(slider, &pqDoubleRangeWidget::valueEdited, this,
+      [this, label]()
+      {
+        if (this->Document->activeRegion() && !this->Refreshing)
+        {
+          this->Document->commit(label);
+        }
+      });
+  };
+  connectSlider(this->Opacity, tr("Change opacity"),
+    [](vtkTFCRegion* region, double value) { region->SetOpacity(value); });
+  connectSlider(this->Width, tr("Change fall-off"),
+    [](vtkTFCRegion* region, double value)
+    { region->SetFalloff(region->GetFalloffType(), value); });
+  QObject::connect(document, &pqTFCDocument::changed, this, &pqTFCRegionForm::refresh);
+  QObject::connect(document, &pqTFCDocument::selectionChanged, this, &pqTFCRegionForm::refresh);
+  this->refresh();
+}
+
+//-----------------------------------------------------------------------------
+pqTFCRegionForm::~pqTFCRegionForm() = default;
+
+//-----------------------------------------------------------------------------
+QString pqTFCRegionForm::geometryText() const
+{
+  vtkTFCShape* shape = this->Document->activeRegion()->GetShape();
+  double center[2];
+  double half[2];
+  double p[2];
+  if (auto* ellipse = vtkTFCEllipseShape::SafeDownCast(shape))
+  {
+    ellipse->GetCenter(center);
+    ellipse->GetRadii(half);
+    return Pair(center) + "; " + Pair(half) + "; " + Number(ellipse->GetAngle());
+  }
+  if (auto* rectangle = vtkTFCRectangleShape::SafeDownCast(shape))
+  {
+    rectangle->GetCenter(center);
+    rectangle->GetHalfSize(half);
+    return Pair(center) + "; " + Pair(half) + "; " + Number(rectangle->GetAngle());
+  }
+  QStringList points;
+  auto* triangle = vtkTFCTriangleShape::SafeDownCast(shape);
+  auto* polygon = vtkTFCPolygonShape::SafeDownCast(shape);
+  for (int i = 0; i < (triangle ? 3 : polygon->GetNumberOfPoints()); ++i)
+  {
+    triangle ? triangle->GetPoint(i, p) : polygon->GetPoint(i, p);
+    points << Pair(p);
+  }
+  return points.join("; ");
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCRegionForm::refresh()
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  this->setEnabled(region && !region->GetLocked() && this->Document->isReady());
+  if (!region)
+  {
+    this->Geometry->show(QString(), true);
+    this->GeometryLabel->setText(tr("Geometry"));
+    return;
+  }
+  this->Refreshing = true;
+  double color[3];
+  region->GetColor(color);
+  this->Color->setChosenColor(QColor::fromRgbF(color[0], color[1], color[2]));
+  this->Opacity->setValue(region->GetOpacity());
+  this->Falloff->setCurrentIndex(region->GetFalloffType());
+  this->Width->setValue(region->GetFalloffWidth());
+  this->Width->setEnabled(region->GetFalloffType() != vtkTFCRegion::Constant);
+  const QString type = region->GetShape()->GetTypeName();
+  const bool box = type == "ellipse" || type == "rectangle";
+  this->GeometryLabel->setText(type.left(1).toUpper() + type.mid(1));
+  this->Geometry->setToolTip(box
+      ? tr("Centre x y; half of width and height; angle in degrees. In data units.")
+      : tr("Corners x y; x y; ... in data units."));
+  this->Geometry->show(this->geometryText(), false);
+  this->Refreshing = false;
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCRegionForm::onColor()
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  const QColor color = this->Color->chosenColor();
+  if (region && !this->Refreshing)
+  {
+    this->Document->edit(tr("Change colour"),
+      [&]() { region->SetColor(color.redF(), color.greenF(), color.blueF()); });
+  }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCRegionForm::onFalloff(int type)
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  if (region && !this->Refreshing)
+  {
+    this->Document->edit(tr("Change fall-off"),
+      [&]() { region->SetFalloff(type, region->GetFalloffWidth()); });
+  }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCRegionForm::onGeometry()
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  if (!region || !this->Geometry->typed())
+  {
+    return;
+  }
+  std::vector<double> n;
+  const bool numbers = ParseNumbers(this->Geometry->text(), n);
+  vtkTFCShape* shape = region->GetShape();
+  auto* ellipse = vtkTFCEllipseShape::SafeDownCast(shape);
+  auto* rectangle = vtkTFCRectangleShape::SafeDownCast(shape);
+  auto* triangle = vtkTFCTriangleShape::SafeDownCast(shape);
+  auto* polygon = vtkTFCPolygonShape::SafeDownCast(shape);
+  const bool box = ellipse || rectangle;
+  // Corners on one line enclose nothing.
+  std::vector<vtkTFCOutline::Point> corners;
+  for (size_t i = 0; i + 1 < n.size() && !box; i += 2)
+  {
+    corners.push_back({ n[i], n[i + 1] });
+  }
+  if (!numbers || (!box && !vtkTFCOutline::FromPoints(corners).IsValid()) ||
+    (box && (n.size() != 5 || !(n[2] > 0) || !(n[3] > 0))) || (triangle && n.size() != 6) ||
+    (polygon && (n.size() < 6 || n.size() % 2)))
+  {
+    this->Document->say(box
+        ? tr("Expected five numbers: centre x y, half of width and height above 0, angle.")
+        : tr("Expected two numbers x y for each of %1 corners that are not on one line.")
+            .arg(triangle ? "3" : "3 or more"));
+    this->Geometry->show(this->geometryText(), true);
+    return;
+  }
+  this->Geometry->accept();
+  this->Document->edit(tr("Change geometry"),
+    [&]()
+    {
+      if (ellipse)
+      {
+        ellipse->SetCenter(n[0], n[1]);
+        ellipse->SetRadii(n[2], n[3]);
+        ellipse->SetAngle(n[4]);
+      }
+      else if (rectangle)
+      {
+        rectangle->SetCenter(n[0], n[1]);
+        rectangle->SetHalfSize(n[2], n[3]);
+        rectangle->SetAngle(n[4]);
+      }
+      else if (triangle)
+      {
+        triangle->SetPoints(n[0], n[1], n[2], n[3], n[4], n[5]);
+      }
+      else
+      {
+        vtkNew<vtkPoints> points;
+        points->SetDataTypeToDouble();
+        for (size_t i = 0; i + 1 < n.size(); i += 2)
+        {
+          points->InsertNextPoint(n[i], n[i + 1], 0);
+        }
+        polygon->SetPoints(points);
+      }
+    });
+}

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqTFCRegionList.h"
+
+#include "pqTFCDocument.h"
+#include "pqTFCRegionModel.h"
+#include "vtkTFCRegion.h"
+#include "vtkTFCTransferFunction.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QItemSelectionModel>
+#include <QScopedValueRollback>
+#include <QTableView>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include <functional>
+
+//-----------------------------------------------------------------------------
+pqTFCRegionList::pqTFCRegionList(pqTFCDocument* document, QWidget* parentObject)
+  : Superclass(parentObject)
+  , Document(document)
+{
+  this->setObjectName("ListPart");
+  this->Model = new pqTFCRegionModel(document, this);
+  this->List = new QTableView(this);
+  this->List->setObjectName("List");
+  this->List->setAccessibleName(tr("Regions"));
+  this->List->setModel(this->Model);
+  this->List->setSelectionBehavior(QAbstractItemView::SelectRows);
+  this->List->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  this->List->setTabKeyNavigation(false);
+  this->List->setShowGrid(false);
+  this->List->setMinimumHeight(60);
+  this->List->verticalHeader()->hide();
+  this->List->verticalHeader()->setDefaultSectionSize(this->fontMetrics().height() + 6);
+  QHeaderView* header = this->List->horizontalHeader();
+  header->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(pqTFCRegionModel::Name, QHeaderView::Stretch);
+  header->setHighlightSections(false);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addWidget(this->makeActions());
+  layout->addWidget(this->List, 1);
+  QObject::connect(this->List->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+    &pqTFCRegionList::onListSelection);
+  QObject::connect(document, &pqTFCDocument::selectionChanged, this, &pqTFCRegionList::refresh);
+  QObject::connect(document, &pqTFCDocument::changed, this, &pqTFCRegionList::refresh);
+  this->refresh();
+}
+
+//-----------------------------------------------------------------------------
+pqTFCRegionList::~pqTFCRegionList() = default;
+
+//-----------------------------------------------------------------------------
+QToolBar* pqTFCRegionList::makeActions()
+{
+  auto* bar = new QToolBar(this);
+  bar->setObjectName("RegionTools");
+  const auto add = [&](const QString& name, const QString& tip, const std::function<void()>& act)
+  {
+    QAction* action = bar->addAction(name);
+    action->setObjectName(name);
+    action->setToolTip(tip);
+    this->Actions << action;
+    QObject::connect(action, &QAction::triggered, this, act);
+  };
+  add(tr("Duplicate"), tr("Duplicate the selected regions (Ctrl+D in the chart)"),
+    [this]() { Q_EMIT this->duplicate(); });
+  add(tr("Delete"), tr("Delete the selected regions (Del in the chart)"),
+    [this]() { Q_EMIT this->remove(); });
+  add(tr("Up"), tr("Move the region up: with the blend 'over', the first one is in front"),
+    [this]() { this->moveRegion(-1); });
+  add(tr("Down"), tr("Move the region down"), [this]() { this->moveRegion(1); });
+  return bar;
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCRegionList::moveRegion(int by)
+{
+  vtkTFCTransferFunction* model = this->Document->model();
+  vtkTFCRegion* region = this->Document->activeRegion();
+  for (int i = 0; region && i < model->GetNumberOfRegions(); ++i)
+  {
+    const int to = i + by;
+    if (model->GetRegion(i) == region && to >= 0 && to < model->GetNumberOfRegions())
+    {
+      this->Document->edit(tr("Change order"), [&]() { model->MoveRegion(i, to); });
+      this->refresh();
+      return;
+    }
+  }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCRegionList::onListSelection()
+{
+  if (!this->Synchronizing)
+  {
+    std::vector<int> ids;
+    for (const QModelIndex& index : this->List->selectionModel()->selectedRows())
+    {
+      if (vtkTFCRegion* region = this->Model->region(index.row()))
+      {
+        ids.push_back(region->GetId());
+      }
+    }
+    this->Document->setSelection(ids);
+  }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCRegionList::refresh()
+{
+  if (this->Synchronizing)
+  {
+    return;
+  }
+  const QScopedValueRollback<bool> synchronizing(this->Synchronizing, true);
+  QItemSelection selection;
+  for (int row = 0; row < this->Model->rowCount(); ++row)
+  {
+    for (int id : this->Document->selection())
+    {
+      if (this->Model->region(row)->GetId() == id)
+      {
+        const QModelIndex index = this->Model->index(row, 0);
+        selection.select(index, index.siblingAtColumn(pqTFCRegionModel::NumberOfColumns - 1));
+        this->List->scrollTo(index);
+      }
+    }
+  }
+  this->List->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+  for (QAction* action : this->Actions)
+  {
+    action->setEnabled(!this->Document->selection().empty());
+  }
+}

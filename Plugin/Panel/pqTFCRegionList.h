@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqTFCRegionList
+ * @brief The table of regions with its buttons; selects what the chart selects.
+ */
+
+#ifndef pqTFCRegionList_h
+#define pqTFCRegionList_h
+
+#include <QList>
+#include <QWidget>
+
+class QAction;
+class QTableView;
+class QToolBar;
+class pqTFCDocument;
+class pqTFCRegionModel;
+
+class pqTFCRegionList : public QWidget
+{
+  Q_OBJECT
+  typedef QWidget Superclass;
+
+public:
+  pqTFCRegionList(pqTFCDocument* document, QWidget* parent = nullptr);
+  ~pqTFCRegionList() override;
+
+Q_SIGNALS:
+  /// Buttons whose work the chart does.
+  void duplicate();
+  void remove();
+
+private Q_SLOTS:
+  void refresh();
+  void onListSelection();
+
+private:
+  Q_DISABLE_COPY(pqTFCRegionList)
+
+  QToolBar* makeActions();
+  void moveRegion(int by);
+
+  pqTFCDocument* Document;
+  pqTFCRegionModel* Model;
+  QTableView* List;
+  QList<QAction*> Actions;
+  bool Synchronizing = false;
+};
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqTFCRegionModel
+ * @brief The regions as a table for Qt's views: one row per region, in list order.
+ */
+
+#ifndef pqTFCRegionModel_h
+#define pqTFCRegionModel_h
+
+#include <QAbstractTableModel>
+
+class pqTFCDocument;
+class vtkTFCRegion;
+
+class pqTFCRegionModel : public QAbstractTableModel
+{
+  Q_OBJECT
+  typedef QAbstractTableModel Superclass;
+
+public:
+  /// Name has the check box for visibility and the colour; Lock is a check box.
+  enum Columns
+  {
+    Name,
+    Opacity,
+    Falloff,
+    Width,
+    Tertiary,
+    Lock,
+    NumberOfColumns
+  };
+
+  pqTFCRegionModel(pqTFCDocument* document, QObject* parent = nullptr);
+  ~pqTFCRegionModel() override;
+
+  int rowCount(const QModelIndex& parent = QModelIndex()) const override;
+  int columnCount(const QModelIndex& parent = QModelIndex()) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+  vtkTFCRegion* region(int row) const;
+
+private Q_SLOTS:
+  void refresh();
+
+private:
+  Q_DISABLE_COPY(pqTFCRegionModel)
+
+  pqTFCDocument* Document;
+  int Rows = 0;
+};
+
+#endif

@@ -1,0 +1,445 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqTFCTertiaryEditor.h"
+
+#include "pqTFCDocument.h"
+#include "pqTFCField.h"
+#include "pqTFCTertiaryBox.h"
+#include "pqTransferFunctionWidget.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDoubleArray.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkTFCRegion.h"
+#include "vtkTFCTransferFunction.h"
+#include "vtkTable.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QSignalBlocker>
+
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+// The part of ParaView's widget that gets the mouse events (ParaView 5.11).
+const char* const CANVAS = "1QVTKWidget0";
+
+void MakeOpacityNodes(vtkPiecewiseFunction* function, vtkDoubleArray* nodes)
+{
+  nodes->SetNumberOfComponents(2);
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[4];
+    function->GetNodeValue(i, node);
+    nodes->InsertNextTuple(node);
+  }
+}
+
+void MakeColorNodes(vtkColorTransferFunction* function, vtkDoubleArray* nodes)
+{
+  nodes->SetNumberOfComponents(4);
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[6];
+    function->GetNodeValue(i, node);
+    nodes->InsertNextTuple(node);
+  }
+}
+}
+
+//-----------------------------------------------------------------------------
+pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* advice,
+  QWidget* parentObject)
+  : Superclass(parentObject)
+  , Document(document)
+{
+  this->setObjectName("TertiaryEditor");
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setHorizontalSpacing(4);
+  layout->setVerticalSpacing(2);
+
+  auto* label = new QLabel(tr("&Tertiary"), this);
+  this->Attribute = new pqTFCTertiaryBox(document, advice, this);
+  label->setBuddy(this->Attribute);
+  this->UseColors = new QCheckBox(tr("Co&lours"), this);
+  this->UseColors->setObjectName("UseColors");
+  this->UseColors->setToolTip(tr("Colour the region by its tertiary attribute"));
+
+  this->Functions = new QWidget(this);
+  this->Functions->setObjectName("Functions");
+  auto* stack = new QGridLayout(this->Functions);
+  stack->setContentsMargins(0, 0, 0, 0);
+  stack->setSpacing(2);
+  this->Opacity = new pqTransferFunctionWidget(this->Functions);
+  this->Opacity->setObjectName("Opacity");
+  this->Opacity->setAccessibleName(tr("Opacity over the tertiary attribute"));
+  this->Opacity->setMinimumHeight(110);
+  this->Colors = new pqTransferFunctionWidget(this->Functions);
+  this->Colors->setObjectName("Colors");
+  this->Colors->setAccessibleName(tr("Colours over the tertiary attribute"));
+  this->Colors->setFixedHeight(40);
+  this->Ends[0] = new QLabel(this->Functions);
+  this->Ends[1] = new QLabel(this->Functions);
+  this->Ends[1]->setAlignment(Qt::AlignRight);
+  this->Caption = new QLabel(this->Functions);
+  this->Caption->setAlignment(Qt::AlignCenter);
+  this->Caption->setObjectName("Caption");
+  this->Points = new pqTFCField(this->Functions);
+  this->Points->setObjectName("Points");
+  this->Points->setAccessibleName(tr("Points of the opacity: value and opacity"));
+  this->Points->setToolTip(tr("Value opacity; value opacity; ... with increasing values in data "
+                              "units and opacities from 0 to 1"));
+  stack->addWidget(this->Opacity, 0, 0, 1, 3);
+  stack->addWidget(this->Colors, 1, 0, 1, 3);
+  stack->addWidget(this->Ends[0], 2, 0);
+  stack->addWidget(this->Caption, 2, 1);
+  stack->addWidget(this->Ends[1], 2, 2);
+  stack->addWidget(this->Points, 3, 0, 1, 3);
+  stack->setRowStretch(0, 1);
+  stack->setColumnStretch(1, 1);
+
+  layout->addWidget(label, 0, 0);
+  layout->addWidget(this->Attribute, 0, 1);
+  layout->addWidget(this->UseColors, 0, 2);
+  layout->addWidget(this->Functions, 1, 0, 1, 3);
+  layout->setColumnStretch(1, 1);
+
+  for (pqTransferFunctionWidget* widget : { this->Opacity, this->Colors })
+  {
+    if (auto* canvas = widget->findChild<QWidget*>(CANVAS))
+    {
+      canvas->installEventFilter(this);
+      canvas->setAccessibleName(widget->accessibleName());
+    }
+    QObject::connect(widget, &pqTransferFunctionWidget::controlPointsModified, this,
+      &pqTFCTertiaryEditor::onPointsModified);
+  }
+  QObject::connect(this->Attribute, &pqTFCTertiaryBox::chosen, this,
+    &pqTFCTertiaryEditor::onAttribute);
+  QObject::connect(this->UseColors, &QCheckBox::toggled, this, &pqTFCTertiaryEditor::onUseColors);
+  QObject::connect(this->Points, &pqTFCField::editingFinished, this,
+    &pqTFCTertiaryEditor::onPointsTyped);
+  QObject::connect(document, &pqTFCDocument::attributesChanged, this,
+    &pqTFCTertiaryEditor::refresh);
+  QObject::connect(document, &pqTFCDocument::changed, this, &pqTFCTertiaryEditor::refresh);
+  QObject::connect(document, &pqTFCDocument::selectionChanged, this, [this]() { this->refresh(); });
+  QObject::connect(document, &pqTFCDocument::histogramsChanged, this,
+    [this]() { this->refresh(); });
+  this->refresh();
+}
+
+//-----------------------------------------------------------------------------
+pqTFCTertiaryEditor::~pqTFCTertiaryEditor() = default;
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::refresh()
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  const bool editable = region && this->Document->isReady();
+  const bool hasTertiary = editable && region->HasTertiary();
+  this->Refreshing = true;
+  this->setEnabled(editable && !region->GetLocked());
+  this->Functions->setVisible(hasTertiary);
+  this->UseColors->setVisible(hasTertiary);
+  this->Total = -1;
+  if (hasTertiary)
+  {
+    // Not while a point of the function itself is dragged: that would let go of it.
+    if (!this->Pressed)
+    {
+      this->showFunctions(region);
+    }
+    this->showHistogram(region);
+  }
+  this->Refreshing = false;
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::showFunctions(vtkTFCRegion* region)
+{
+  double range[2];
+  double color[3];
+  this->Document->tertiaryRange(region, range);
+  region->GetColor(color);
+  vtkNew<vtkDoubleArray> opacities;
+  vtkNew<vtkDoubleArray> colors;
+  region->GetTertiaryOpacityNodes(opacities);
+  region->GetTertiaryColorNodes(colors);
+
+  QStringList points;
+  std::vector<double> shown = { range[0], range[1], color[0], color[1], color[2] };
+  for (vtkIdType i = 0; i < opacities->GetNumberOfTuples(); ++i)
+  {
+    const double* node = opacities->GetTuple2(i);
+    shown.insert(shown.end(), node, node + 2);
+    points << QString::number(node[0], 'g', 6) + " " + QString::number(node[1], 'g', 4);
+  }
+  shown.push_back(-1);
+  for (vtkIdType i = 0; i < colors->GetNumberOfValues(); ++i)
+  {
+    shown.push_back(colors->GetValue(i));
+  }
+  if (shown == this->Shown)
+  {
+    return;
+  }
+  this->Shown = shown;
+
+  // Nodes at both ends, where the function goes on level, so that the chart shows all of the range.
+  vtkPiecewiseFunction* opacity = this->OpacityFunction;
+  opacity->RemoveAllPoints();
+  opacity->SetAllowDuplicateScalars(true);
+  const vtkIdType last = opacities->GetNumberOfTuples() - 1;
+  if (last >= 0 && opacities->GetComponent(0, 0) > range[0])
+  {
+    opacity->AddPoint(range[0], opacities->GetComponent(0, 1));
+  }
+  for (vtkIdType i = 0; i <= last; ++i)
+  {
+    opacity->AddPoint(opacities->GetComponent(i, 0), opacities->GetComponent(i, 1));
+  }
+  if (last >= 0 && opacities->GetComponent(last, 0) < range[1])
+  {
+    opacity->AddPoint(range[1], opacities->GetComponent(last, 1));
+  }
+  const double* extent = opacity->GetRange();
+
+  this->RegionColor->RemoveAllPoints();
+  this->RegionColor->AddRGBPoint(extent[0], color[0], color[1], color[2]);
+  this->RegionColor->AddRGBPoint(extent[1], color[0], color[1], color[2]);
+  const bool hasColors = colors->GetNumberOfTuples() > 0;
+  this->ColorFunction->RemoveAllPoints();
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    const double* c = colors->GetTuple4(i);
+    this->ColorFunction->AddRGBPoint(c[0], c[1], c[2], c[3]);
+  }
+  this->Opacity->initialize(hasColors ? this->ColorFunction : this->RegionColor, false, opacity,
+    true);
+  if (hasColors)
+  {
+    this->Colors->initialize(this->ColorFunction, true, nullptr, false);
+  }
+  this->Colors->setVisible(hasColors);
+  this->UseColors->setChecked(hasColors);
+  this->Ends[0]->setText(QString::number(extent[0], 'g', 5));
+  this->Ends[1]->setText(QString::number(extent[1], 'g', 5));
+  this->Points->show(points.join("; "), false);
+  this->Opacity->render();
+  this->Colors->render();
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::showHistogram(vtkTFCRegion* region)
+{
+  std::vector<double> counts;
+  double range[2];
+  if (!this->Document->conditional(region, counts, range))
+  {
+    this->Caption->setText(tr("histogram follows ..."));
+    this->Opacity->setHistogramTable(nullptr);
+    return;
+  }
+  this->Total = std::accumulate(counts.begin(), counts.end(), 0.0);
+  // Column 0 must be a vtkDoubleArray (vtkScalarsToColorsItem.cxx:236 of VTK 9.2).
+  vtkNew<vtkTable> table;
+  vtkNew<vtkDoubleArray> centers;
+  vtkNew<vtkDoubleArray> values;
+  centers->SetName("bin_extents");
+  values->SetName("bin_values");
+  const double width = (range[1] - range[0]) / counts.size();
+  for (size_t i = 0; i < counts.size(); ++i)
+  {
+    centers->InsertNextValue(range[0] + (i + 0.5) * width);
+    values->InsertNextValue(counts[i]);
+  }
+  table->AddColumn(centers);
+  table->AddColumn(values);
+  this->Opacity->setHistogramTable(table);
+  this->Caption->setText(tr("%L1 voxels").arg(std::round(this->Total), 0, 'f', 0));
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::onAttribute(int index)
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  if (!region)
+  {
+    return;
+  }
+  this->Document->edit(tr("Change tertiary attribute"),
+    [&]()
+    {
+      if (index < 0)
+      {
+        region->RemoveTertiary();
+        return;
+      }
+      // All voxels of the region stay visible until the user says otherwise.
+      const pqTFCAttribute& attribute = this->Document->attributes()[index];
+      if (region->HasTertiary() && region->GetTertiaryArray() == attribute.Array &&
+        region->GetTertiaryComponent() == attribute.Component)
+      {
+        return;
+      }
+      double low = attribute.Range[0];
+      double high = attribute.Range[1];
+      if (!(low < high))
+      {
+        const double half = std::max(0.5, std::abs(low) / 2);
+        high = low + half;
+        low -= half;
+      }
+      vtkNew<vtkDoubleArray> nodes;
+      nodes->SetNumberOfComponents(2);
+      nodes->InsertNextTuple2(low, 1);
+      nodes->InsertNextTuple2(high, 1);
+      region->ClearTertiaryRange();
+      region->SetTertiary(attribute.Array.c_str(), attribute.Component, nodes);
+    });
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::write(vtkTFCRegion* region)
+{
+  vtkNew<vtkDoubleArray> opacities;
+  vtkNew<vtkDoubleArray> colors;
+  vtkNew<vtkDoubleArray> before;
+  MakeOpacityNodes(this->OpacityFunction, opacities);
+  region->GetTertiaryColorNodes(before);
+  if (before->GetNumberOfTuples() > 0)
+  {
+    MakeColorNodes(this->ColorFunction, colors);
+  }
+  const std::string array = region->GetTertiaryArray();
+  region->SetTertiary(array.c_str(), region->GetTertiaryComponent(), opacities,
+    colors->GetNumberOfTuples() > 0 ? colors.Get() : nullptr);
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::onPointsModified()
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  if (this->Refreshing || !region || !region->HasTertiary() || region->GetLocked())
+  {
+    return;
+  }
+  this->Document->begin();
+  this->Document->model()->SetProposal(false);
+  this->write(region);
+  this->Document->live();
+  if (!this->Pressed)
+  {
+    this->Document->commit(tr("Change tertiary function"));
+  }
+}
+
+//-----------------------------------------------------------------------------
+bool pqTFCTertiaryEditor::eventFilter(QObject* watched, QEvent* e)
+{
+  if (e->type() == QEvent::MouseButtonPress || e->type() == QEvent::MouseButtonDblClick)
+  {
+    this->Pressed = true;
+  }
+  else if (e->type() == QEvent::MouseButtonRelease && this->Pressed)
+  {
+    // ParaView's widget says nothing when the mouse is let go; it still has to see this event.
+    QMetaObject::invokeMethod(
+      this,
+      [this]()
+      {
+        this->Pressed = false;
+        if (this->Document->link()->isEditing())
+        {
+          this->Document->commit(tr("Change tertiary function"));
+        }
+      },
+      Qt::QueuedConnection);
+  }
+  return this->Superclass::eventFilter(watched, e);
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::onPointsTyped()
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  if (!this->Points->typed() || !region || !region->HasTertiary())
+  {
+    return;
+  }
+  static const QRegularExpression separators("[\\s,;:()\\[\\]]+");
+  vtkNew<vtkDoubleArray> nodes;
+  nodes->SetNumberOfComponents(2);
+  std::vector<double> numbers;
+  bool valid = true;
+  for (const QString& word : this->Points->text().split(separators, Qt::SkipEmptyParts))
+  {
+    bool isNumber = false;
+    numbers.push_back(word.toDouble(&isNumber));
+    valid = valid && isNumber && std::isfinite(numbers.back());
+  }
+  valid = valid && !numbers.empty() && numbers.size() % 2 == 0;
+  for (size_t i = 0; valid && i < numbers.size(); i += 2)
+  {
+    const bool increasing = i == 0 || numbers[i] > numbers[i - 2] ||
+      (numbers[i] == numbers[i - 2] && (i < 4 || numbers[i] > numbers[i - 4]));
+    valid = increasing && numbers[i + 1] >= 0 && numbers[i + 1] <= 1;
+    nodes->InsertNextTuple2(numbers[i], numbers[i + 1]);
+  }
+  if (!valid)
+  {
+    this->Document->say(tr(
+      "Expected pairs of numbers, value and opacity: values increasing, opacities from 0 to 1."));
+    this->Points->show(QString(), true);
+    this->Shown.clear();
+    this->refresh();
+    return;
+  }
+  this->Points->accept();
+  vtkNew<vtkDoubleArray> colors;
+  region->GetTertiaryColorNodes(colors);
+  const std::string array = region->GetTertiaryArray();
+  this->Document->edit(tr("Change tertiary function"),
+    [&]()
+    {
+      region->SetTertiary(array.c_str(), region->GetTertiaryComponent(), nodes,
+        colors->GetNumberOfTuples() > 0 ? colors.Get() : nullptr);
+    });
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::onUseColors(bool use)
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  if (this->Refreshing || !region || !region->HasTertiary())
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> opacities;
+  vtkNew<vtkDoubleArray> colors;
+  region->GetTertiaryOpacityNodes(opacities);
+  colors->SetNumberOfComponents(4);
+  if (use)
+  {
+    // From the region's colour to a light tint of it: a start that shows what it does.
+    double range[2];
+    double c[3];
+    this->Document->tertiaryRange(region, range);
+    region->GetColor(c);
+    colors->InsertNextTuple4(range[0], c[0], c[1], c[2]);
+    colors->InsertNextTuple4(range[1], (1 + c[0]) / 2, (1 + c[1]) / 2, (1 + c[2]) / 2);
+  }
+  const std::string array = region->GetTertiaryArray();
+  this->Document->edit(tr("Change tertiary colours"),
+    [&]()
+    {
+      region->SetTertiary(array.c_str(), region->GetTertiaryComponent(), opacities,
+        use ? colors.Get() : nullptr);
+    });
+}

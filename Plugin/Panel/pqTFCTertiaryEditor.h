@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqTFCTertiaryEditor
+ * @brief The selected region's own 1D function: attribute, opacity, optional colours, over the
+ * attribute's histogram of the voxels in the region.
+ *
+ * The histogram is weighted by the region's shape and fall-off and follows while the region is
+ * dragged. Opacity and colours are edited with ParaView's own transfer function widget, or typed as
+ * points.
+ */
+
+#ifndef pqTFCTertiaryEditor_h
+#define pqTFCTertiaryEditor_h
+
+#include <QWidget>
+
+#include "vtkNew.h"
+
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class pqTFCAdvice;
+class pqTFCDocument;
+class pqTFCField;
+class pqTFCTertiaryBox;
+class pqTransferFunctionWidget;
+class vtkColorTransferFunction;
+class vtkPiecewiseFunction;
+class vtkTFCRegion;
+
+class pqTFCTertiaryEditor : public QWidget
+{
+  Q_OBJECT
+  typedef QWidget Superclass;
+
+public:
+  pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* advice, QWidget* parent = nullptr);
+  ~pqTFCTertiaryEditor() override;
+
+  /// Sum of the histogram that is shown: voxels in the region. -1 while there is none.
+  double total() const { return this->Total; }
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private Q_SLOTS:
+  void refresh();
+  void onAttribute(int attribute);
+  void onPointsModified();
+  void onPointsTyped();
+  void onUseColors(bool use);
+
+private:
+  Q_DISABLE_COPY(pqTFCTertiaryEditor)
+
+  void showFunctions(vtkTFCRegion* region);
+  void showHistogram(vtkTFCRegion* region);
+  void write(vtkTFCRegion* region);
+
+  pqTFCDocument* Document;
+  pqTFCTertiaryBox* Attribute;
+  QCheckBox* UseColors;
+  QWidget* Functions;
+  pqTransferFunctionWidget* Opacity;
+  pqTransferFunctionWidget* Colors;
+  QLabel* Ends[2];
+  QLabel* Caption;
+  pqTFCField* Points;
+  vtkNew<vtkPiecewiseFunction> OpacityFunction;
+  vtkNew<vtkColorTransferFunction> ColorFunction; ///< of the region, when it has one
+  vtkNew<vtkColorTransferFunction> RegionColor;   ///< constant, for the histogram
+  std::vector<double> Shown;                      ///< what the functions were made from
+  double Total = -1;
+  bool Refreshing = false;
+  bool Pressed = false; ///< a mouse button is down in one of the functions
+};
+
+#endif

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Where things are, and what is drawn over the items.
+#include "vtkTFCDomainChart.h"
+
+#include "vtkAxis.h"
+#include "vtkBrush.h"
+#include "vtkContext2D.h"
+#include "vtkContextClip.h"
+#include "vtkContextScene.h"
+#include "vtkPen.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTFCDomainChartDrag.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+
+void vtkTFCDomainChart::Layout(vtkContext2D* painter)
+{
+  vtkTFCDomainMapping& map = this->Mapping;
+  const double width = this->Scene->GetSceneWidth();
+  const double height = this->Scene->GetSceneHeight();
+  vtkRenderer* renderer = this->Scene->GetRenderer();
+  if (renderer && renderer->GetRenderWindow())
+  {
+    map.Scale = std::max(1.0, renderer->GetRenderWindow()->GetDPI() / 72.0);
+  }
+  const double margin = 10 * map.Scale;
+  double border[2] = { 0, 0 }; // left, bottom
+  // Twice: the place of an axis decides on its labels, and their size on its place.
+  for (int pass = 0; pass < 2; ++pass)
+  {
+    map.Plot = { { margin + border[0], margin + border[1],
+      // At the right, room for half of the last label.
+      std::max(8.0, width - 3 * margin - border[0]),
+      std::max(8.0, height - 2 * margin - border[1]) } };
+    for (int i = 0; i < 2; ++i)
+    {
+      const double* view = &map.View[2 * i];
+      const double low = map.Ranges[2 * i];
+      const double size = map.Ranges[2 * i + 1] - low;
+      vtkAxis* axis = this->Axes[i];
+      axis->GetPen()->SetWidth(static_cast<float>(map.Scale));
+      axis->SetTickLength(static_cast<float>(3 * map.Scale));
+      axis->SetLabelOffset(static_cast<float>(8 * map.Scale));
+      axis->SetMargins(static_cast<int>(6 * map.Scale), static_cast<int>(6 * map.Scale));
+      axis->SetPoint1(static_cast<float>(map.Plot[0]), static_cast<float>(map.Plot[1]));
+      axis->SetPoint2(static_cast<float>(map.Plot[0] + (i == 0 ? map.Plot[2] : 0)),
+        static_cast<float>(map.Plot[1] + (i == 1 ? map.Plot[3] : 0)));
+      axis->SetRange(low + view[0] * size, low + view[1] * size);
+      axis->Update();
+      const vtkRectf rect = axis->GetBoundingRect(painter);
+      border[1 - i] = i == 0 ? rect.GetHeight() : rect.GetWidth();
+    }
+  }
+  this->Clip->SetClip(static_cast<float>(map.Plot[0]), static_cast<float>(map.Plot[1]),
+    static_cast<float>(map.Plot[2]), static_cast<float>(map.Plot[3]));
+}
+
+void vtkTFCDomainChart::PaintGesture(vtkContext2D* painter)
+{
+  const Drag& drag = *this->Gesture;
+  std::vector<float> line;
+  const auto add = [&line](const Point& p)
+  {
+    line.push_back(static_cast<float>(p[0]));
+    line.push_back(static_cast<float>(p[1]));
+  };
+  switch (drag.Mode)
+  {
+    case DragModes::Band:
+      add(drag.Start);
+      add({ drag.Last[0], drag.Start[1] });
+      add(drag.Last);
+      add({ drag.Start[0], drag.Last[1] });
+      add(drag.Start);
+      break;
+    case DragModes::Stroke:
+      std::for_each(drag.Points.begin(), drag.Points.end(), add);
+      add(drag.Start);
+      break;
+    case DragModes::Clicks:
+      for (const Point& p : drag.Points)
+      {
+        add(this->Mapping.ToPixel(p));
+      }
+      add(drag.Last);
+      break;
+    default:
+      return;
+  }
+  const double ink = this->Mapping.Dark ? 1.0 : 0.0;
+  vtkPen* pen = painter->GetPen();
+  pen->SetOpacityF(1);
+  pen->SetColorF(1 - ink, 1 - ink, 1 - ink);
+  pen->SetWidth(static_cast<float>(3 * this->Mapping.Scale));
+  pen->SetLineType(vtkPen::SOLID_LINE);
+  painter->DrawPoly(line.data(), static_cast<int>(line.size() / 2));
+  pen->SetColorF(ink, ink, ink);
+  pen->SetWidth(static_cast<float>(1.3 * this->Mapping.Scale));
+  painter->DrawPoly(line.data(), static_cast<int>(line.size() / 2));
+  if (drag.Mode == DragModes::Clicks)
+  {
+    // The first point: a click on it closes the polygon.
+    painter->GetBrush()->SetColorF(1 - ink, 1 - ink, 1 - ink, 1.0);
+    painter->DrawEllipse(line[0], line[1], static_cast<float>(4 * this->Mapping.Scale),
+      static_cast<float>(4 * this->Mapping.Scale));
+  }
+}
+
+void vtkTFCDomainChart::PaintProbe(vtkContext2D* painter)
+{
+  const Point p = this->Mapping.ToPixel(this->Mapping.FromData(this->Probe));
+  if (!this->ProbeShown || !this->Mapping.InPlot(p))
+  {
+    return;
+  }
+  const auto& plot = this->Mapping.Plot;
+  const auto x = static_cast<float>(p[0]);
+  const auto y = static_cast<float>(p[1]);
+  const auto radius = static_cast<float>(6 * this->Mapping.Scale);
+  vtkPen* pen = painter->GetPen();
+  pen->SetLineType(vtkPen::SOLID_LINE);
+  pen->SetColorF(0.85, 0.1, 0.1);
+  pen->SetOpacityF(0.9);
+  pen->SetWidth(static_cast<float>(1.3 * this->Mapping.Scale));
+  painter->DrawLine(static_cast<float>(plot[0]), y, x - radius, y);
+  painter->DrawLine(x + radius, y, static_cast<float>(plot[0] + plot[2]), y);
+  painter->DrawLine(x, static_cast<float>(plot[1]), x, y - radius);
+  painter->DrawLine(x, y + radius, x, static_cast<float>(plot[1] + plot[3]));
+  painter->GetBrush()->SetOpacityF(0);
+  painter->DrawEllipse(x, y, radius, radius);
+}
+
+void vtkTFCDomainChart::PaintMessage(vtkContext2D* painter)
+{
+  if (this->Message.empty())
+  {
+    return;
+  }
+  vtkTextProperty* text = painter->GetTextProp();
+  text->SetFontFamilyToArial();
+  text->SetFontSize(12);
+  text->SetBold(false);
+  text->SetOrientation(0);
+  text->SetJustificationToCentered();
+  text->SetVerticalJustificationToCentered();
+  const double ink = this->Mapping.Dark ? 0.75 : 0.35;
+  text->SetColor(ink, ink, ink);
+  const auto& plot = this->Mapping.Plot;
+  painter->DrawString(static_cast<float>(plot[0] + plot[2] / 2),
+    static_cast<float>(plot[1] + plot[3] / 2), this->Message.c_str());
+}
+
+bool vtkTFCDomainChart::Paint(vtkContext2D* painter)
+{
+  this->Layout(painter);
+  this->UpdateItems();
+  const auto& plot = this->Mapping.Plot;
+  const double ground = this->Mapping.Dark ? 0.13 : 1.0;
+  painter->GetPen()->SetOpacityF(0);
+  painter->GetBrush()->SetColorF(ground, ground, ground, 1.0);
+  painter->DrawRect(static_cast<float>(plot[0]), static_cast<float>(plot[1]),
+    static_cast<float>(plot[2]), static_cast<float>(plot[3]));
+  painter->GetPen()->SetOpacityF(1);
+  this->PaintChildren(painter);
+  this->PaintGesture(painter);
+  this->PaintProbe(painter);
+  this->PaintMessage(painter);
+  return true;
+}
