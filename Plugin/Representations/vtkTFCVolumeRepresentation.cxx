@@ -103,6 +103,24 @@ void vtkTFCVolumeRepresentation::SetMemoryLimit(int megabytes)
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetRenderer(int renderer)
+{
+  this->GetMapper()->SetRenderer(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetRayBlending(int mode)
+{
+  this->RayBlending = mode;
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetBlendMode(int mode)
+{
+  this->SharedBlendMode = mode;
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCVolumeRepresentation::SetCroppingRegionFlags(int flags)
 {
   this->VolumeMapper->SetCroppingRegionFlags(flags);
@@ -247,6 +265,11 @@ void vtkTFCVolumeRepresentation::UpdateMapperParameters()
 {
   this->Actor->SetMapper(this->VolumeMapper);
   this->Actor->SetVisibility(this->GetVisibility());
+  this->VolumeMapper->SetBlendMode(this->SharedBlendMode != vtkVolumeMapper::COMPOSITE_BLEND
+      ? this->SharedBlendMode
+      : this->RayBlending);
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  this->GetMapper()->SetDistributed(controller && controller->GetNumberOfProcesses() > 1);
   if (this->Property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION)
   {
     // ParaView's default for this property is cubic, which is for surfaces.

@@ -46,6 +46,22 @@ public:
   void SetMemoryLimit(int megabytes);
 
   /**
+   * What draws: vtkTFCVolumeMapper::RendererType, 0 Auto, 1 GPU, 2 CPU. Default: 0.
+   */
+  void SetRenderer(int renderer);
+
+  ///@{
+  /**
+   * How the samples of a ray are blended: vtkVolumeMapper's COMPOSITE_BLEND (0),
+   * MAXIMUM_INTENSITY_BLEND (1), AVERAGE_INTENSITY_BLEND (3) or ADDITIVE_BLEND (4), see
+   * vtkTFCVolumeMapper. Default: 0. SetBlendMode() is that of ParaView's own volume representation,
+   * which has isosurface and slice instead: anything but composite there is passed on and reported.
+   */
+  void SetRayBlending(int mode);
+  void SetBlendMode(int mode);
+  ///@}
+
+  /**
    * 27-bit mask of the cropping regions that stay visible while cropping is on, as
    * vtkVolumeMapper::SetCroppingRegionFlags(). Default: 8192, the inside of the box.
    */
@@ -71,6 +87,8 @@ private:
   void FindWholeBounds(double bounds[6]);
 
   vtkNew<vtkTFCTransferFunction> Model;
+  int RayBlending = 0;
+  int SharedBlendMode = 0;
   vtkMTimeType RangesTime = 0;
   vtkTimeStamp DataTime;
 };

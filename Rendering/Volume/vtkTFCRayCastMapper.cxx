@@ -61,6 +61,22 @@ std::string MakeDefinitions(unsigned int features, bool cropping, bool shaded)
 }
 
 //------------------------------------------------------------------------------
+std::string MakeBlending(int mode)
+{
+  switch (mode)
+  {
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+      return "#define TFC_MAXIMUM 1\n";
+    case vtkVolumeMapper::ADDITIVE_BLEND:
+      return "#define TFC_ADDITIVE 1\n";
+    case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+      return "#define TFC_AVERAGE 1\n";
+    default:
+      return "#define TFC_COMPOSITE 1\n";
+  }
+}
+
+//------------------------------------------------------------------------------
 // Put our functions and the calls to them at the tags of VTK's ray casting shader. Tags that VTK
 // still has to fill are kept in the replacement.
 void InstallReplacements(vtkShaderProperty* shader, const std::string& definitions)
@@ -90,13 +106,14 @@ void InstallReplacements(vtkShaderProperty* shader, const std::string& definitio
       vtkTFCTertiary_glsl + vtkTFCPatch_glsl + vtkTFCClassify_glsl);
   replace("//VTK::ComputeGradient::Dec", vtkTFCGradient_glsl);
   replace("//VTK::ComputeColor::Dec", vtkTFCSample_glsl);
-  replace("//VTK::Shading::Impl", "if (!g_skip)\n    {\n      tfcComposite();\n    }");
+  replace("//VTK::Shading::Impl", "if (!g_skip)\n    {\n      tfcBlend();\n    }");
   replace("//VTK::Clipping::Impl", "g_tfcSegmentStart = g_dataPos;\n//VTK::Clipping::Impl");
   // Depth peeling would move the start to a sample, and drop segments shorter than a step.
   replace("//VTK::DepthPeeling::Ray::PathCheck", "");
   replace("//VTK::Shading::Init",
     "tfcBeginRay();\n  tfcBeginLeaps();\n  tfcBeginClassification();\n  "
-    "tfcBeginLight();\n//VTK::Shading::Init");
+    "tfcBeginLight();\n  tfcBeginBlending();\n//VTK::Shading::Init");
+  replace("//VTK::Shading::Exit", "tfcEndBlending();\n//VTK::Shading::Exit");
   replace("//VTK::Base::Impl",
     "tfcBeginSample();\n//VTK::Base::Impl\n    g_skip = g_skip || tfcCropped();");
   replace("//VTK::Terminate::Impl", "if (tfcEndSample()) { break; }");
@@ -179,6 +196,7 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
 
   uniforms->SetUniform3f("in_tfcBoxMin", this->Visible.BoxMin.data());
   uniforms->SetUniform3f("in_tfcBoxMax", this->Visible.BoxMax.data());
+  uniforms->SetUniform3f("in_tfcUpperMargin", this->Visible.UpperMargin.data());
   uniforms->SetUniform3f("in_tfcCropMin", this->Visible.CropMin.data());
   uniforms->SetUniform3f("in_tfcCropMax", this->Visible.CropMax.data());
   uniforms->SetUniformi("in_tfcCropFlags", this->Visible.CropFlags);
@@ -286,7 +304,8 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
       third->GetTextureUnit());
   }
   InstallReplacements(vol->GetShaderProperty(),
-    MakeDefinitions(this->Features | this->Tables.FeaturesUsed, this->HasCropped, shaded));
+    MakeDefinitions(this->Features | this->Tables.FeaturesUsed, this->HasCropped, shaded) +
+      MakeBlending(this->Blending));
   this->SetUniforms(vol);
   this->Superclass::GPURender(ren, vol);
   if (shaded)

@@ -58,6 +58,9 @@ public:
   {
     std::array<float, 3> BoxMin = { 0, 0, 0 };
     std::array<float, 3> BoxMax = { 1, 1, 1 };
+    /// By how much rays that run along the upper faces may be off: 1e-6 against rounding, -1e-6
+    /// where another block has the rays in the face.
+    std::array<float, 3> UpperMargin = { 1e-6f, 1e-6f, 1e-6f };
     /// Visible where dot(plane, (x, y, z, 1)) >= 0; at most MaximumNumberOfClippingPlanes.
     std::vector<std::array<float, 4>> ClippingPlanes;
     std::array<float, 3> CropMin = { 0, 0, 0 };
@@ -73,6 +76,11 @@ public:
 
   /// What the shader is compiled for; at least what the tables use.
   void SetFeatures(unsigned int features) { this->Features = features; }
+
+  /// How the samples of a ray are blended: vtkVolumeMapper's COMPOSITE_BLEND,
+  /// MAXIMUM_INTENSITY_BLEND, AVERAGE_INTENSITY_BLEND or ADDITIVE_BLEND. For VTK this mapper always
+  /// composites, so that its own code for other modes stays out of the shader.
+  void SetBlending(int mode) { this->Blending = mode; }
 
   /// The distances of vtkTFCBrickActivity for the input; before the first frame.
   void SetBricks(std::vector<unsigned char> distances, const std::array<int, 3>& dimensions,
@@ -120,6 +128,7 @@ private:
   Visibility Visible;
   bool HasCropped = false; // other than a box: compiled only once it is needed
   double UnitDistance = 1;
+  int Blending = COMPOSITE_BLEND;
 };
 
 #endif

@@ -3,8 +3,10 @@
 #include "vtkTFCVolumeBlock.h"
 
 #include "vtkTFCBrickActivity.h"
+#include "vtkTFCVisibilityOrder.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -197,6 +199,10 @@ vtkTFCRayCastMapper::Visibility vtkTFCVolumeBlock::FindVisibility(vtkVolumeMappe
     { return static_cast<float>(index * axes[axis].Scale + axes[axis].Bias); };
     visibility.BoxMin[axis] = texture(owned[2 * axis] - extent[2 * axis]);
     visibility.BoxMax[axis] = texture(owned[2 * axis + 1] - extent[2 * axis]);
+    if (owned[2 * axis + 1] < extent[2 * axis + 1])
+    {
+      visibility.UpperMargin[axis] = -1e-6f;
+    }
 
     if (mapper->GetCropping())
     {
@@ -245,6 +251,7 @@ void vtkTFCVolumeBlock::Render(vtkRenderer* ren, vtkVolume* vol, vtkVolumeMapper
   this->Caster->SetScalarMode(
     this->Packer.IsCellData() ? VTK_SCALAR_MODE_USE_CELL_DATA : VTK_SCALAR_MODE_USE_POINT_DATA);
   this->Caster->SetFeatures(features);
+  this->Caster->SetBlending(mapper->GetBlendMode());
   this->Caster->SetMoreAttributes(this->Packer.GetMore());
   this->Caster->SetVisibility(this->FindVisibility(mapper, vol));
   this->Caster->SetDistances(sampleDistance, vol->GetProperty()->GetScalarOpacityUnitDistance());
@@ -284,6 +291,54 @@ std::array<double, 6> vtkTFCVolumeBlock::GetBounds(vtkMatrix4x4* frame) const
 vtkMatrix3x3* vtkTFCVolumeBlock::GetDirection() const
 {
   return this->Packer.GetImage()->GetDirectionMatrix();
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTFCVolumeBlock*> vtkTFCVolumeBlock::FindOrder(
+  const std::vector<std::unique_ptr<vtkTFCVolumeBlock>>& blocks, vtkRenderer* ren, vtkVolume* vol)
+{
+  std::vector<vtkTFCVolumeBlock*> drawable;
+  for (const auto& block : blocks)
+  {
+    if (block->IsDrawable())
+    {
+      drawable.push_back(block.get());
+    }
+  }
+  if (drawable.size() < 2)
+  {
+    return drawable;
+  }
+  // Along the axes of the first image: pieces of one image, and most composites, are boxes there.
+  vtkNew<vtkMatrix4x4> frame;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      frame->SetElement(i, j, drawable.front()->GetDirection()->GetElement(j, i));
+    }
+  }
+  vtkNew<vtkMatrix4x4> worldToFrame;
+  vol->GetModelToWorldMatrix(worldToFrame);
+  worldToFrame->Invert();
+  vtkMatrix4x4::Multiply4x4(frame, worldToFrame, worldToFrame);
+  vtkCamera* camera = ren->GetActiveCamera();
+  const bool parallel = camera->GetParallelProjection() != 0;
+  double eye[4] = { 0, 0, 0, parallel ? 0.0 : 1.0 };
+  std::copy_n(parallel ? camera->GetDirectionOfProjection() : camera->GetPosition(), 3, eye);
+  worldToFrame->MultiplyPoint(eye, eye);
+  std::vector<vtkTFCVisibilityOrder::Box> boxes;
+  boxes.reserve(drawable.size());
+  for (const auto* block : drawable)
+  {
+    boxes.push_back(block->GetBounds(frame));
+  }
+  std::vector<vtkTFCVolumeBlock*> order;
+  for (const int i : vtkTFCVisibilityOrder::Find(boxes, { { eye[0], eye[1], eye[2] }, parallel }))
+  {
+    order.push_back(drawable[i]);
+  }
+  return order;
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@
 #include "vtkNew.h" // For the caster
 
 #include <array>  // For ranges
+#include <memory> // For lists of blocks
 #include <string> // For errors
 #include <vector> // For attributes
 
@@ -61,6 +62,11 @@ public:
   vtkMatrix3x3* GetDirection() const;
   /// Bytes of the attributes' texture.
   vtkIdType GetTextureBytes() const;
+
+  /// Those of `blocks` that are drawable, farthest from the camera first.
+  static std::vector<vtkTFCVolumeBlock*> FindOrder(
+    const std::vector<std::unique_ptr<vtkTFCVolumeBlock>>& blocks, vtkRenderer* ren,
+    vtkVolume* vol);
 
   /// Whether to draw it: set by Pack().
   void SetDrawable(bool drawable) { this->Drawable = drawable; }

@@ -2,21 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCVolumeMapper.h"
 
+#include "vtkTFCFallbackRenderer.h"
+#include "vtkTFCGraphicsSupport.h"
 #include "vtkTFCImageBlocks.h"
+#include "vtkTFCSettingsCheck.h"
 #include "vtkTFCTextureLimit.h"
 #include "vtkTFCTransferFunction.h"
-#include "vtkTFCVisibilityOrder.h"
 #include "vtkTFCVolumeBlock.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -33,6 +31,11 @@ public:
   vtkTFCImageBlocks Images;
   std::vector<std::unique_ptr<vtkTFCVolumeBlock>> Blocks;
   bool Streaming = false; // textures do not fit into the memory limit at a time
+  vtkTFCFallbackRenderer Fallback;
+  vtkRenderWindow* ProbedWindow = nullptr; // only compared
+  std::string Missing;                     // of its OpenGL
+  std::string WarnedOf;
+  std::string Omission; // from the picture, as last told
 
   // The model with the axis ranges it was compiled for.
   vtkTFCCompiledModel Model;
@@ -49,7 +52,6 @@ public:
   bool UpdateBlocks(vtkTFCVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
     std::string& error);
   bool PackAndCompile(vtkTFCVolumeMapper* mapper, std::string& error);
-  std::vector<vtkTFCVolumeBlock*> FindOrder(vtkRenderer* ren, vtkVolume* vol) const;
   void RemoveBlocks(vtkWindow* window);
 };
 
@@ -187,54 +189,6 @@ bool vtkTFCVolumeMapper::Internals::PackAndCompile(vtkTFCVolumeMapper* mapper, s
   return true;
 }
 
-//------------------------------------------------------------------------------
-// The blocks to draw, farthest first.
-std::vector<vtkTFCVolumeBlock*> vtkTFCVolumeMapper::Internals::FindOrder(vtkRenderer* ren,
-  vtkVolume* vol) const
-{
-  std::vector<vtkTFCVolumeBlock*> drawable;
-  for (const auto& block : this->Blocks)
-  {
-    if (block->IsDrawable())
-    {
-      drawable.push_back(block.get());
-    }
-  }
-  if (drawable.size() < 2)
-  {
-    return drawable;
-  }
-  // Along the axes of the first image: pieces of one image, and most composites, are boxes there.
-  vtkNew<vtkMatrix4x4> frame;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      frame->SetElement(i, j, drawable.front()->GetDirection()->GetElement(j, i));
-    }
-  }
-  vtkNew<vtkMatrix4x4> worldToFrame;
-  vol->GetModelToWorldMatrix(worldToFrame);
-  worldToFrame->Invert();
-  vtkMatrix4x4::Multiply4x4(frame, worldToFrame, worldToFrame);
-  vtkCamera* camera = ren->GetActiveCamera();
-  const bool parallel = camera->GetParallelProjection() != 0;
-  double eye[4] = { 0, 0, 0, parallel ? 0.0 : 1.0 };
-  std::copy_n(parallel ? camera->GetDirectionOfProjection() : camera->GetPosition(), 3, eye);
-  worldToFrame->MultiplyPoint(eye, eye);
-  std::vector<vtkTFCVisibilityOrder::Box> boxes;
-  for (const auto* block : drawable)
-  {
-    boxes.push_back(block->GetBounds(frame));
-  }
-  std::vector<vtkTFCVolumeBlock*> order;
-  for (const int i : vtkTFCVisibilityOrder::Find(boxes, { { eye[0], eye[1], eye[2] }, parallel }))
-  {
-    order.push_back(drawable[i]);
-  }
-  return order;
-}
-
 vtkStandardNewMacro(vtkTFCVolumeMapper);
 
 //------------------------------------------------------------------------------
@@ -300,6 +254,12 @@ int vtkTFCVolumeMapper::GetNumberOfVolumeUploads() const
 }
 
 //------------------------------------------------------------------------------
+int vtkTFCVolumeMapper::GetNumberOfClassifications() const
+{
+  return this->Internal->Fallback.GetNumberOfClassifications();
+}
+
+//------------------------------------------------------------------------------
 double* vtkTFCVolumeMapper::GetBounds()
 {
   double* bounds = this->Superclass::GetBounds();
@@ -327,6 +287,73 @@ double* vtkTFCVolumeMapper::GetBounds()
 }
 
 //------------------------------------------------------------------------------
+// Sets UsedCPU. False when what was asked for cannot be had.
+bool vtkTFCVolumeMapper::ChooseRenderer(vtkRenderer* ren, vtkVolume* vol, std::string& error)
+{
+  this->UsedCPU = this->Renderer == CPURenderer;
+  if (this->UsedCPU)
+  {
+    return true;
+  }
+  if (this->Internal->ProbedWindow != ren->GetRenderWindow())
+  {
+    this->Internal->ProbedWindow = ren->GetRenderWindow();
+    this->Internal->Missing =
+      vtkTFCGraphicsSupport::Probe(ren->GetRenderWindow(), vol).FindMissing();
+  }
+  const std::string& missing = this->Internal->Missing;
+  if (missing.empty())
+  {
+    return true;
+  }
+  if (this->Renderer == GPURenderer)
+  {
+    error = missing + ". Set Renderer to Auto or CPU.";
+    return false;
+  }
+  this->UsedCPU = true;
+  if (this->Internal->WarnedOf != missing)
+  {
+    this->Internal->WarnedOf = missing;
+    vtkWarningMacro("Combined Volume is rendered on the CPU: "
+      << missing << ". Edges of regions are softer, and it is slower.");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTFCVolumeMapper::PrepareForCPU(std::string& error)
+{
+  vtkTFCTransferFunction* model = this->TransferFunction;
+  if (!model || model->GetNumberOfRegions() == 0)
+  {
+    return false;
+  }
+  if (this->BlendMode != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    error = "on the CPU only composite blending is available. Set BlendMode to Composite, or "
+            "Renderer to GPU.";
+    return false;
+  }
+  const auto& images = this->Internal->Images.Update(this->GetInputDataObject(0, 0),
+    model->GetAttributes(), vtkTFCImageBlocks::Limits(), error);
+  if (images.empty())
+  {
+    return false;
+  }
+  if (images.size() > 1)
+  {
+    error = "the CPU renders a single grid, and the input has " + std::to_string(images.size()) +
+      ". Resample them to one image, show one of them, or set Renderer to GPU.";
+    return false;
+  }
+  vtkTFCFallbackRenderer::AxisRanges ranges;
+  std::copy_n(&this->AutomaticRanges[0][0], 4, &ranges[0][0]);
+  return this->Internal->Fallback.Update(images.front(), model,
+    this->HasAutomaticRanges ? &ranges : nullptr, error);
+}
+
+//------------------------------------------------------------------------------
 bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& error)
 {
   Internals& internal = *this->Internal;
@@ -347,19 +374,17 @@ bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& 
   {
     return false;
   }
-  if (this->BlendMode != vtkVolumeMapper::COMPOSITE_BLEND)
-  {
-    error = "only composite blending is available for a combined transfer function.";
-    return false;
-  }
-  if (this->ClippingPlanes &&
-    this->ClippingPlanes->GetNumberOfItems() > vtkTFCRayCastMapper::MaximumNumberOfClippingPlanes)
-  {
-    error = "more than 16 clipping planes.";
-    return false;
-  }
   if (!internal.PackAndCompile(this, error))
   {
+    return false;
+  }
+  const auto blocks = std::count_if(internal.Blocks.begin(), internal.Blocks.end(),
+    [](const auto& block) { return block->IsDrawable(); });
+  const std::string unsupported =
+    vtkTFCSettingsCheck::FindError(this, static_cast<int>(blocks), this->Distributed);
+  if (!unsupported.empty())
+  {
+    error = unsupported;
     return false;
   }
   // Both setters do nothing when nothing changes.
@@ -371,7 +396,7 @@ bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& 
 //------------------------------------------------------------------------------
 void vtkTFCVolumeMapper::RenderBlocks(vtkRenderer* ren, vtkVolume* vol)
 {
-  const auto order = this->Internal->FindOrder(ren, vol);
+  const auto order = vtkTFCVolumeBlock::FindOrder(this->Internal->Blocks, ren, vol);
   double distance = this->SampleDistance;
   if (!(distance > 0.0))
   {
@@ -400,7 +425,8 @@ void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     this->GetInputAlgorithm()->Update();
   }
   std::string error;
-  const bool ready = this->Prepare(ren, vol, error);
+  const bool ready = this->ChooseRenderer(ren, vol, error) &&
+    (this->UsedCPU ? this->PrepareForCPU(error) : this->Prepare(ren, vol, error));
   if (error != this->LastError)
   {
     this->LastError = error;
@@ -409,7 +435,20 @@ void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
       vtkErrorMacro("Combined Volume: " << error);
     }
   }
-  if (ready)
+  const std::string omission = vtkTFCSettingsCheck::FindOmission(this);
+  if (ready && omission != this->Internal->Omission)
+  {
+    this->Internal->Omission = omission;
+    if (!omission.empty())
+    {
+      vtkWarningMacro("Combined Volume: " << omission);
+    }
+  }
+  if (ready && this->UsedCPU)
+  {
+    this->Internal->Fallback.Render(ren, vol, this, this->SampleDistance);
+  }
+  else if (ready)
   {
     this->RenderBlocks(ren, vol);
   }
@@ -422,6 +461,8 @@ void vtkTFCVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     block->ReleaseGraphicsResources(window);
   }
+  this->Internal->Fallback.ReleaseGraphicsResources(window);
+  this->Internal->ProbedWindow = nullptr;
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -434,5 +475,7 @@ void vtkTFCVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "LongestTextureSide: " << this->LongestTextureSide << "\n";
   os << indent << "EmptySpaceSkipping: " << this->EmptySpaceSkipping << "\n";
+  os << indent << "Renderer: " << this->Renderer << "\n";
+  os << indent << "UsedCPU: " << this->UsedCPU << "\n";
   os << indent << "LastError: " << this->LastError << "\n";
 }

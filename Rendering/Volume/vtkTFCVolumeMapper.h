@@ -23,7 +23,19 @@
  * Supported: shading of the volume's property with VTK's lights (the gradient is the primary
  * attribute's), opaque and translucent geometry, up to 16 clipping planes, cropping (27 regions,
  * planes in the image's model coordinates along its index axes), parallel and perspective cameras.
- * Only composite blending; other blend modes are an error.
+ *
+ * Blend modes (vtkVolumeMapper::SetBlendMode()), with the pieces i of a ray, their lengths l_i in
+ * unit distances, opacities a_i per unit distance and colours c_i with light; the result is a
+ * colour C that is multiplied by its opacity A already:
+ *   composite (COMPOSITE_BLEND), front to back: b_i = 1 - (1 - a_i)^l_i, T_i = prod(1 - b_j, j <
+ * i), C = sum(T_i b_i c_i), A = sum(T_i b_i); maximum by opacity (MAXIMUM_INTENSITY_BLEND): m = the
+ * first i with the largest a_i, C = a_m c_m, A = a_m; additive (ADDITIVE_BLEND), emission without
+ * absorption: C = min(1, sum(l_i a_i c_i)) by channel, A = min(1, sum(l_i a_i)); average of what is
+ * visible (AVERAGE_INTENSITY_BLEND): C = sum(l_i a_i c_i) / L and A = sum(l_i a_i) / L with the
+ * visible length L = sum(l_i, a_i > 0). The last three need whole rays: several blocks, and a
+ * dataset that is Distributed, are an error, and rays behind translucent geometry with depth
+ * peeling are two each. Minimum intensity, isosurface and slice are an error: they are about one
+ * scalar, which there is none of here.
  *
  * Edits of the transfer function upload a small table (vtkTFCShaderTables) and never build a
  * shader; the mapper's modification time does not include the model's. Changing an attribute to one
@@ -120,6 +132,43 @@ public:
   vtkBooleanMacro(EmptySpaceSkipping, bool);
   ///@}
 
+  enum RendererType
+  {
+    AutoRenderer = 0,
+    GPURenderer = 1,
+    CPURenderer = 2
+  };
+
+  ///@{
+  /**
+   * What draws: OpenGL, or VTK's ray caster on the CPU (vtkTFCFallbackRenderer says what is
+   * different there). AutoRenderer is OpenGL where the driver has what it needs, else the CPU, with
+   * one warning that says why. The CPU draws a single image or grid with composite blending; a
+   * composite of more is an error. Default: AutoRenderer.
+   */
+  vtkSetClampMacro(Renderer, int, AutoRenderer, CPURenderer);
+  vtkGetMacro(Renderer, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether other processes draw other parts of the dataset, with which this one's picture is
+   * composited. Default: off.
+   */
+  vtkSetMacro(Distributed, bool);
+  vtkGetMacro(Distributed, bool);
+  ///@}
+
+  /**
+   * Whether the last Render() drew on the CPU.
+   */
+  bool GetUsedCPU() const { return this->UsedCPU; }
+
+  /**
+   * Number of times that the data was classified for the CPU.
+   */
+  int GetNumberOfClassifications() const;
+
   /**
    * What was wrong at the last Render(), or an empty string.
    */
@@ -149,7 +198,9 @@ private:
   vtkTFCVolumeMapper(const vtkTFCVolumeMapper&) = delete;
   void operator=(const vtkTFCVolumeMapper&) = delete;
 
+  bool ChooseRenderer(vtkRenderer* ren, vtkVolume* vol, std::string& error);
   bool Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& error);
+  bool PrepareForCPU(std::string& error);
   void RenderBlocks(vtkRenderer* ren, vtkVolume* vol);
 
   class Internals;
@@ -159,6 +210,9 @@ private:
   int MemoryLimit = 0;
   int LongestTextureSide = 0;
   bool EmptySpaceSkipping = true;
+  int Renderer = AutoRenderer;
+  bool UsedCPU = false;
+  bool Distributed = false;
   bool HasAutomaticRanges = false;
   double AutomaticRanges[2][2] = { { 0, 1 }, { 0, 1 } };
   std::string LastError;

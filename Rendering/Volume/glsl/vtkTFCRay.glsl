@@ -11,6 +11,7 @@
 
 uniform vec3 in_tfcBoxMin;        // visible part of the block
 uniform vec3 in_tfcBoxMax;
+uniform vec3 in_tfcUpperMargin;   // for rays along the upper faces, which the next block may have
 uniform int in_tfcClipCount;      // clipping planes: visible where dot(plane, vec4(p, 1)) >= 0
 uniform vec4 in_tfcClipPlanes[16];
 uniform vec3 in_tfcCropMin;       // the two cropping planes of each axis
@@ -76,9 +77,10 @@ void tfcBeginRay()
   {
     bool along = abs(g_dirStep[axis]) < 1e-12;
     float slope = along ? 0.0 : g_dirStep[axis];
-    float tolerance = along ? 1e-6 : 0.0;
-    tfcClipHalfSpace(g_tfcOrigin[axis] - in_tfcBoxMin[axis] + tolerance, slope);
-    tfcClipHalfSpace(in_tfcBoxMax[axis] - g_tfcOrigin[axis] + tolerance, -slope);
+    float lower = along ? 1e-6 : 0.0;
+    float upper = along ? in_tfcUpperMargin[axis] : 0.0;
+    tfcClipHalfSpace(g_tfcOrigin[axis] - in_tfcBoxMin[axis] + lower, slope);
+    tfcClipHalfSpace(in_tfcBoxMax[axis] - g_tfcOrigin[axis] + upper, -slope);
   }
   for (int i = 0; i < in_tfcClipCount; ++i)
   {
@@ -113,7 +115,12 @@ void tfcPlaceSample()
 bool tfcEndSample()
 {
   g_tfcInterval += 1.0;
-  return !(g_tfcInterval - g_tfcPhase < g_tfcEnd) || g_fragColor.a > g_opacityThreshold;
+  bool behind = !(g_tfcInterval - g_tfcPhase < g_tfcEnd);
+#ifdef TFC_COMPOSITE
+  return behind || g_fragColor.a > g_opacityThreshold;
+#else
+  return behind;
+#endif
 }
 
 // Whether the current position lies in a cropping region that is switched off. Regions are counted

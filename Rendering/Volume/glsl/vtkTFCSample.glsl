@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What happens at a sample: found, classified, lit by VTK and composited front to back.
+// What happens at a sample: found, classified, lit by VTK and blended into the ray.
+//
+// Blending (vtkTFCVolumeMapper.h has the formulas): composited front to back unless TFC_MAXIMUM,
+// TFC_ADDITIVE or TFC_AVERAGE is defined. The latter three use the opacity per unit distance and
+// have no end before that of the ray.
 
 vec3 g_tfcCell; // what the transfer function has there (see tfcCell)
 
@@ -20,8 +24,9 @@ void tfcBeginSample()
 }
 
 // VTK's names: the opacity of the current sample, and its colour with light. The colour is left in
-// between for the latter.
+// between for the latter. Beyond the end of the ray, where pieces have no length, there is nothing.
 vec3 g_tfcColor;
+float g_tfcVisible; // unit distances of the ray with something to see
 
 float computeOpacity(vec4 attributes)
 {
@@ -30,7 +35,11 @@ float computeOpacity(vec4 attributes)
 #endif
   vec4 classified = tfcClassify(attributes, g_tfcCell);
   g_tfcColor = classified.rgb;
+#ifdef TFC_COMPOSITE
   return tfcPieceOpacity(classified.a);
+#else
+  return g_tfcWeight > 0.0 ? classified.a : 0.0;
+#endif
 }
 
 vec4 computeColor(vec4 attributes, float opacity)
@@ -45,9 +54,38 @@ vec4 computeColor(vec4 attributes, float opacity)
   return color;
 }
 
-void tfcComposite()
+void tfcBlend()
 {
   g_srcColor = computeColor(g_tfcAttributes, computeOpacity(g_tfcAttributes));
   g_srcColor.rgb *= g_srcColor.a;
+#ifdef TFC_COMPOSITE
   g_fragColor += (1.0 - g_fragColor.a) * g_srcColor;
+#endif
+#ifdef TFC_MAXIMUM
+  g_fragColor = g_srcColor.a > g_fragColor.a ? g_srcColor : g_fragColor;
+#endif
+#if defined(TFC_ADDITIVE) || defined(TFC_AVERAGE)
+  float units = g_tfcWeight * g_tfcUnits;
+  g_fragColor += units * g_srcColor;
+#ifdef TFC_AVERAGE
+  g_tfcVisible += g_srcColor.a > 0.0 ? units : 0.0;
+#endif
+#endif
+}
+
+// Called once per ray.
+void tfcBeginBlending()
+{
+  g_tfcVisible = 0.0;
+}
+
+// Called once per ray, behind its last sample.
+void tfcEndBlending()
+{
+#ifdef TFC_AVERAGE
+  g_fragColor = g_tfcVisible > 0.0 ? g_fragColor / g_tfcVisible : vec4(0.0);
+#endif
+#ifdef TFC_ADDITIVE
+  g_fragColor = min(g_fragColor, 1.0);
+#endif
 }

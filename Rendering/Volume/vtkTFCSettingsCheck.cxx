@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTFCSettingsCheck.h"
+
+#include "vtkTFCRayCastMapper.h"
+
+#include "vtkMultiBlockVolumeMapper.h"
+#include "vtkPlaneCollection.h"
+
+//------------------------------------------------------------------------------
+std::string vtkTFCSettingsCheck::FindError(vtkMultiBlockVolumeMapper* mapper, int blocks,
+  bool distributed)
+{
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  if (planes && planes->GetNumberOfItems() > vtkTFCRayCastMapper::MaximumNumberOfClippingPlanes)
+  {
+    return "more than 16 clipping planes.";
+  }
+  switch (mapper->GetBlendMode())
+  {
+    case vtkVolumeMapper::COMPOSITE_BLEND:
+      return "";
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+    case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+    case vtkVolumeMapper::ADDITIVE_BLEND:
+      break;
+    default:
+      return "the blend mode must be composite, maximum, average or additive; minimum, isosurface "
+             "and slice show one scalar, and a combined transfer function has several.";
+  }
+  if (distributed)
+  {
+    return "this blend mode needs whole rays, and the data is distributed over processes. Use "
+           "composite blending, or run with one process.";
+  }
+  if (blocks > 1)
+  {
+    return "this blend mode needs whole rays, and the volume is drawn in " +
+      std::to_string(blocks) +
+      " blocks. Use composite blending, resample the blocks to one image, or raise MemoryLimit.";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTFCSettingsCheck::FindOmission(vtkMultiBlockVolumeMapper* mapper)
+{
+  return mapper->GetVolumetricScatteringBlending() > 0.0f
+    ? "volumetric scattering is not available for a combined transfer function, and is left out. "
+      "Set VolumetricScatteringBlending to 0 to be rid of this message."
+    : "";
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Which settings of VTK's volume mappers a combined transfer function is not drawn with.
+ *
+ * Texts for the user: what is wrong and what to do, or empty.
+ */
+
+#ifndef vtkTFCSettingsCheck_h
+#define vtkTFCSettingsCheck_h
+
+#include <string> // For the texts
+
+class vtkMultiBlockVolumeMapper;
+
+namespace vtkTFCSettingsCheck
+{
+
+/// Why nothing can be drawn in `blocks` blocks, of a dataset that is `distributed` over processes
+/// or not: more than 16 clipping planes, a blend mode that is not known or needs whole rays.
+std::string FindError(vtkMultiBlockVolumeMapper* mapper, int blocks, bool distributed);
+
+/// What is left out of the picture: volumetric scattering.
+std::string FindOmission(vtkMultiBlockVolumeMapper* mapper);
+
+}
+
+#endif
+// VTK-HeaderTest-Exclude: vtkTFCSettingsCheck.h
