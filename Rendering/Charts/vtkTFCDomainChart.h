@@ -138,9 +138,9 @@ public:
   /**
    * A key without a mouse: `key` as Qt or X name it. Arrows move the selection by 1 pixel (10 with
    * Shift), Delete and BackSpace remove it, Tab and Backtab go through the regions, Escape cancels,
-   * Return closes a polygon and BackSpace takes back its last point; v e r t p l choose tools; + -
-   * 0 zoom in, out and fit; a with Control selects all, d with Control duplicates. True when the
-   * key did something.
+   * Return draws a box, ellipse or triangle in the middle with its tool and closes a polygon and
+   * BackSpace takes back its last point; v e r t p l choose tools; + - 0 zoom in, out and fit; a
+   * with Control selects all, d with Control duplicates. True when the key did something.
    */
   bool HandleKey(const std::string& key, bool shift, bool control);
 
