@@ -62,7 +62,7 @@ void pqTFCAdvice::forget()
 
 //-----------------------------------------------------------------------------
 vtkSmartPointer<vtkTFCTableInformation> pqTFCAdvice::run(const char* name,
-  const std::function<void(vtkSMProxy*)>& prepare)
+  const std::function<void(vtkSMProxy*)>& prepare, vtkTFCTableInformation* second)
 {
   auto table = vtkSmartPointer<vtkTFCTableInformation>::New();
   pqOutputPort* port = this->Document->link()->input();
@@ -84,6 +84,10 @@ vtkSmartPointer<vtkTFCTableInformation> pqTFCAdvice::run(const char* name,
   filter->UpdateVTKObjects();
   filter->UpdatePipeline(this->Document->time());
   filter->GatherInformation(table, vtkPVSession::DATA_SERVER);
+  if (second)
+  {
+    filter->GatherInformation(second, vtkPVSession::DATA_SERVER);
+  }
   QGuiApplication::restoreOverrideCursor();
   return table;
 }

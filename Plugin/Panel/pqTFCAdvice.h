@@ -78,14 +78,16 @@ public:
   /// Set a region's "tertiary" to such a text, as one edit.
   void apply(int region, const QString& tertiary);
 
+  /// Run a filter over the edited data on the server; the table of its first output, which is empty
+  /// when it failed, and of another into `second`.
+  vtkSmartPointer<vtkTFCTableInformation> run(const char* filter,
+    const std::function<void(vtkSMProxy*)>& prepare, vtkTFCTableInformation* second = nullptr);
+
 public Q_SLOTS:
   void forget();
 
 private:
   Q_DISABLE_COPY(pqTFCAdvice)
-
-  vtkSmartPointer<vtkTFCTableInformation> run(const char* filter,
-    const std::function<void(vtkSMProxy*)>& prepare);
 
   pqTFCDocument* Document;
   std::vector<Candidate> Candidates;

@@ -10,6 +10,7 @@
 #include "pqTFCIcons.h"
 #include "pqTFCMessageBar.h"
 #include "pqTFCPresets.h"
+#include "pqTFCProbe.h"
 #include "pqTFCProposal.h"
 #include "pqTFCRegionForm.h"
 #include "pqTFCRegionList.h"
@@ -43,6 +44,7 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   : Superclass(tr("Combined Transfer Functions"), parentObject)
   , Document(new pqTFCDocument(this))
   , Advice(new pqTFCAdvice(this->Document, this))
+  , Probe(new pqTFCProbe(this->Document, this->Advice, this))
 {
   auto* contents = new QWidget(this);
   contents->setObjectName("contents");
@@ -122,6 +124,19 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   QObject::connect(this->Document, &pqTFCDocument::changed, this, &pqTFCPanel::onChanged);
   QObject::connect(this->Document, &pqTFCDocument::histogramsChanged, this,
     &pqTFCPanel::onHistograms);
+  QObject::connect(this->Probe, &pqTFCProbe::found, this,
+    [this, chart](double x, double y)
+    {
+      chart->SetProbe(x, y);
+      this->Chart->renderLater();
+    });
+  QObject::connect(this->Probe, &pqTFCProbe::lost, this,
+    [this, chart]()
+    {
+      chart->ClearProbe();
+      this->Chart->renderLater();
+    });
+  QObject::connect(this->Probe, &pqTFCProbe::told, this, &pqTFCPanel::onHover);
   new pqTFCProposal(this->Document, this->Advice, this);
   this->onTargetChanged();
 }
@@ -181,6 +196,12 @@ QToolBar* pqTFCPanel::makeTools()
       dialog->show();
     });
   this->ReadyActions << advice;
+  QAction* probe = bar->addAction(tr("Probe"));
+  probe->setObjectName("Probe");
+  probe->setCheckable(true);
+  probe->setToolTip(tr("Click into the 3D view: what is visible there, which regions make it so"));
+  QObject::connect(probe, &QAction::toggled, this->Probe, &pqTFCProbe::setActive);
+  this->ReadyActions << probe;
   auto* file = new QToolButton(bar);
   file->setObjectName("FileMenu");
   file->setText(tr("File"));
@@ -357,15 +378,9 @@ double pqTFCPanel::millisecondsPerEvent() const
 }
 
 //-----------------------------------------------------------------------------
-void pqTFCPanel::showProbe(double primary, double secondary)
+QString pqTFCPanel::probe() const
 {
-  this->Chart->chart()->SetProbe(primary, secondary);
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCPanel::clearProbe()
-{
-  this->Chart->chart()->ClearProbe();
+  return this->Probe->regions();
 }
 
 //-----------------------------------------------------------------------------
@@ -449,6 +464,11 @@ void pqTFCPanel::onHover()
   if (!this->Chart->chart()->GetHover(data, count, id))
   {
     vtkTFCSparseHistogram* plane = this->Document->isReady() ? this->Document->plane() : nullptr;
+    if (!this->Probe->text().isEmpty())
+    {
+      this->Status->setText(this->Probe->text());
+      return;
+    }
     this->Status->setText(
       plane ? tr("%L1 voxels on these axes").arg(plane->GetTotal(), 0, 'f', 0) : QString(" "));
     return;

@@ -25,6 +25,7 @@ class pqTFCChartWidget;
 class pqTFCDocument;
 class pqTFCMessageBar;
 class pqTFCPresets;
+class pqTFCProbe;
 class pqTFCTertiaryEditor;
 
 class pqTFCPanel : public QDockWidget
@@ -41,6 +42,7 @@ class pqTFCPanel : public QDockWidget
   Q_PROPERTY(int voxelsInPlane READ voxelsInPlane)
   Q_PROPERTY(int voxelsInRegion READ voxelsInRegion)
   Q_PROPERTY(double millisecondsPerEvent READ millisecondsPerEvent)
+  Q_PROPERTY(QString probe READ probe)
 
 public:
   pqTFCPanel(QWidget* parent = nullptr);
@@ -57,9 +59,8 @@ public:
   /// Of the last drag, see pqTFCDocument.
   double millisecondsPerEvent() const;
 
-  /// Where a picked voxel is on the two axes, data units.
-  void showProbe(double primary, double secondary);
-  void clearProbe();
+  /// What the last click into the view found; empty while the probe is off.
+  QString probe() const;
 
 protected:
   void changeEvent(QEvent* event) override;
@@ -90,6 +91,7 @@ private:
   pqTFCMessageBar* Messages;
   QLabel* Status;
   pqTFCPresets* Presets;
+  pqTFCProbe* Probe;
   QList<QAction*> Tools;
   QList<QAction*> ReadyActions; ///< need something to edit
   QStringList States;           ///< in the order of stateNumber()

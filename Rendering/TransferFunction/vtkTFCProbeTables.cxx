@@ -89,6 +89,8 @@ void vtkTFCProbeTables::FillLocation(vtkTable* table, const vtkTFCRaySampler& sa
   {
     AddNumber(table, names[6 + channel], location.Color[channel]);
   }
+  AddNumber(table, "primary", location.Axes[0]);
+  AddNumber(table, "secondary", location.Axes[1]);
   AddArrays(table, sampler, location.Place);
 }
 

@@ -27,6 +27,7 @@ struct Location
   double Opacity;      ///< accumulated
   double TotalOpacity; ///< of the whole line
   std::array<double, 4> Color;
+  std::array<double, 2> Axes; ///< primary and secondary value
 };
 
 /// The row of table "Location".

@@ -387,7 +387,7 @@ int vtkTFCRayProbe::RequestData(vtkInformation*, vtkInformationVector** inputs,
     const std::vector<double> values = line.Classify(samplers[mine], place, rgba);
     FillLocation(location, samplers[mine],
       { place, middle, blocks[mine], reached, opacity, 1.0 - transparency,
-        { rgba[0], rgba[1], rgba[2], rgba[3] } });
+        { rgba[0], rgba[1], rgba[2], rgba[3] }, { values[0], values[1] } });
     FillRegions(regions, classifier, this->Model, values);
   }
   if (owner > 0.0)

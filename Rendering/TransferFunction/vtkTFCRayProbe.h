@@ -17,7 +17,8 @@
  * - `i`, `j`, `k`: the nearest point, or the cell, of its image
  * - `block`: which image of a composite, counted from 0 on the process that has it
  * - `reached`: 1 or 0, whether the threshold was; `opacity`: accumulated there, and
- *   `total_opacity` along the whole line; `red`, `green`, `blue` and `alpha` of the sample
+ *   `total_opacity` along the whole line; `red`, `green`, `blue` and `alpha` of the sample;
+ *   `primary` and `secondary`: its values of the two axes
  * - every numeric array of the attributes' kind, interpolated there; components as `name_0`, ...
  *
  * Port 1, table "Regions": a row for each visible region, in list order: `id`, `name`; `weight`, of

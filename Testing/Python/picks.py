@@ -53,6 +53,7 @@ check(abs(found.position[2] - (10 - length)) < 0.5, "depth %g" % found.position[
 check(abs(found.distance - (50 - found.position[2])) < 1e-6, "distance")
 check(abs(found.values["R"] - np.linalg.norm(found.position)) < 0.05, "value of R")
 check(abs(found.values["X"] - found.position[0]) < 1e-6, "value of X")
+check(found.axes == (found.values["RTData"], found.values["R"]), "values of the axes")
 check(found.voxel == tuple(int(round(p)) for p in found.position), "voxel")
 
 # Contributions, with third attributes.

@@ -14,14 +14,14 @@ factor of its ``tertiary`` function, ``opacity`` per unit distance (the product 
 region's own), and its share in the colour, ``contribution``, 0 to 1."""
 
 Pick = namedtuple(
-    "Pick", "position voxel block distance reached opacity total_opacity color values regions"
+    "Pick", "position voxel block distance reached opacity total_opacity color axes values regions"
 )
 Pick.__doc__ = """A place on a line of sight.
 
 ``position`` in world coordinates, ``voxel`` (i, j, k) in ``block`` (0 for a single image),
 ``distance`` from the eye; ``opacity`` accumulated there and ``total_opacity`` of the whole line;
 ``reached``: whether the threshold was. ``color`` (red, green, blue, alpha per unit distance) is
-that of the sample, ``values`` a dictionary of all arrays there, ``regions`` the
+that of the sample, ``axes`` its primary and secondary value, ``values`` a dictionary of all arrays there, ``regions`` the
 :class:`RegionShare` of each visible region, in list order."""
 
 
@@ -124,7 +124,7 @@ def pick(view, x, y, display=None, threshold=0.5):
     values = {name: value.ToDouble() for name, value in _read(location).items()}
     fixed = {name: values.pop(name) for name in (
         "x", "y", "z", "distance", "i", "j", "k", "block", "reached", "opacity", "total_opacity",
-        "red", "green", "blue", "alpha")}
+        "red", "green", "blue", "alpha", "primary", "secondary")}
     regions = []
     for row in range(shares.GetNumberOfRows()):
         cells = _read(shares, row)
@@ -135,5 +135,6 @@ def pick(view, x, y, display=None, threshold=0.5):
         position=tuple(fixed[c] for c in "xyz"), voxel=tuple(int(fixed[c]) for c in "ijk"),
         block=int(fixed["block"]), distance=fixed["distance"], reached=bool(fixed["reached"]),
         opacity=fixed["opacity"], total_opacity=fixed["total_opacity"],
-        color=tuple(fixed[c] for c in ("red", "green", "blue", "alpha")), values=values,
+        color=tuple(fixed[c] for c in ("red", "green", "blue", "alpha")),
+        axes=(fixed["primary"], fixed["secondary"]), values=values,
         regions=regions)
