@@ -87,8 +87,12 @@ bool vtkTFCVolumeMapper::Internals::UpdateBlocks(vtkTFCVolumeMapper* mapper, vtk
   {
     limits.MostVoxels = limit / voxelBytes;
   }
-  const auto& images =
-    this->Images.Update(mapper->GetInputDataObject(0, 0), this->Model.Attributes, limits, error);
+  std::vector<vtkTFCAttribute> arrays = this->Model.Attributes;
+  if (!mapper->ShadingArray.empty())
+  {
+    arrays.push_back({ mapper->ShadingArray, 0 });
+  }
+  const auto& images = this->Images.Update(mapper->GetInputDataObject(0, 0), arrays, limits, error);
   if (this->ImagesGeneration != this->Images.GetGeneration())
   {
     this->ImagesGeneration = this->Images.GetGeneration();
@@ -386,6 +390,13 @@ bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& 
     error = unsupported;
     return false;
   }
+  for (size_t i = 0; i < internal.Blocks.size() && vol->GetProperty()->GetShade(); ++i)
+  {
+    if (internal.Blocks[i]->IsDrawable())
+    {
+      internal.Blocks[i]->UpdateShading(internal.Images.GetBlocks()[i], this->ShadingArray, error);
+    }
+  }
   // Both setters do nothing when nothing changes.
   vol->GetProperty()->SetIndependentComponents(0);
   vol->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
@@ -408,6 +419,7 @@ void vtkTFCVolumeMapper::RenderBlocks(vtkRenderer* ren, vtkVolume* vol)
   }
   for (auto* block : order)
   {
+    block->SetJittering(this->UseJittering);
     block->Render(ren, vol, this, distance, this->Internal->Features);
     if (this->Internal->Streaming)
     {
@@ -434,7 +446,8 @@ void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
       vtkErrorMacro("Combined Volume: " << error);
     }
   }
-  const std::string omission = vtkTFCSettingsCheck::FindOmission(this);
+  const std::string omission = vtkTFCSettingsCheck::FindOmission(this, this->UsedCPU,
+    vol->GetProperty()->GetShade() ? this->ShadingArray : "");
   if (ready && omission != this->Internal->Omission)
   {
     this->Internal->Omission = omission;
@@ -474,6 +487,8 @@ void vtkTFCVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "LongestTextureSide: " << this->LongestTextureSide << "\n";
   os << indent << "EmptySpaceSkipping: " << this->EmptySpaceSkipping << "\n";
+  os << indent << "ShadingArray: " << this->ShadingArray << "\n";
+  os << indent << "UseJittering: " << this->UseJittering << "\n";
   os << indent << "Renderer: " << this->Renderer << "\n";
   os << indent << "UsedCPU: " << this->UsedCPU << "\n";
   os << indent << "LastError: " << this->LastError << "\n";
