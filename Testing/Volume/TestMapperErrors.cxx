@@ -142,10 +142,10 @@ TEST_F(Errors, AttributeOfAnotherSize)
   this->ExpectRecovery();
 }
 
-TEST_F(Errors, OnlyCompositeBlending)
+TEST_F(Errors, NoBlendingOfOneScalar)
 {
   this->Set(MakeState(MakeFog(0.5)));
-  this->Scene.Mapper->SetBlendModeToMaximumIntensity();
+  this->Scene.Mapper->SetBlendModeToSlice();
   this->ExpectError({ "composite" });
   this->Scene.Mapper->SetBlendModeToComposite();
   this->ExpectRecovery();
