@@ -194,15 +194,15 @@ void pqTFCAdvice::apply(int region, const QString& tertiary)
 {
   const QJsonObject function = QJsonDocument::fromJson(tertiary.toUtf8()).object();
   QJsonObject state = QJsonDocument::fromJson(this->Document->state().toUtf8()).object();
-  QJsonArray regions = state["regions"].toArray();
-  for (int i = 0; i < regions.size(); ++i)
+  QJsonArray regions;
+  for (const QJsonValue value : state["regions"].toArray())
   {
-    QJsonObject object = regions[i].toObject();
+    QJsonObject object = value.toObject();
     if (object["id"].toInt() == region && !function.isEmpty())
     {
       object["tertiary"] = function;
-      regions[i] = object;
     }
+    regions.append(object);
   }
   state["regions"] = regions;
   state.remove("x-proposal");

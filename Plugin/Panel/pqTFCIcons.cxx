@@ -18,7 +18,7 @@ QIcon pqTFCToolIcon(int tool, const QPalette& palette)
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.scale(4, 4);
-  const QColor ink = palette.color(QPalette::WindowText);
+  const QColor& ink = palette.color(QPalette::WindowText);
   painter.setPen(QPen(ink, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   QPainterPath path;
   switch (tool)

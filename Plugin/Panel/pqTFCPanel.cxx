@@ -23,12 +23,17 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
 #include <QSplitter>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -83,6 +88,7 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   layout->addWidget(this->Messages);
   layout->addWidget(splitter, 1);
   this->setWidget(contents);
+  this->setAcceptDrops(true);
 
   this->Chart->chart()->SetTransferFunction(this->Document->model());
   this->updateIcons();
@@ -179,7 +185,8 @@ QToolBar* pqTFCPanel::makeTools()
   file->setObjectName("FileMenu");
   file->setText(tr("File"));
   file->setPopupMode(QToolButton::InstantPopup);
-  file->setMenu(new pqTFCPresets(this->Document, file));
+  this->Presets = new pqTFCPresets(this->Document, file);
+  file->setMenu(this->Presets);
   bar->addWidget(file);
   return bar;
 }
@@ -190,8 +197,8 @@ QMenu* pqTFCPanel::makeHistogramMenu()
   auto* menu = new QMenu(this);
   menu->setObjectName("ViewMenu");
   vtkTFCDomainChart* chart = this->Chart->chart();
-  const auto addChoice =
-    [&](const QString& title, const QStringList& names, int current, std::function<void(int)> set)
+  const auto addChoice = [&](const QString& title, const QStringList& names, int current,
+                           const std::function<void(int)>& set)
   {
     menu->addSection(title);
     auto* group = new QActionGroup(menu);
@@ -220,6 +227,10 @@ QMenu* pqTFCPanel::makeHistogramMenu()
     [chart]() { chart->FitRegions(!chart->GetSelection().empty()); });
   QObject::connect(menu->addAction(tr("Ranges of the data")), &QAction::triggered, this,
     [this]() { this->Axes->useDataRanges(); });
+  menu->addSeparator();
+  QAction* keys = menu->addAction(tr("Keys and Mouse ..."));
+  keys->setObjectName("Keys");
+  QObject::connect(keys, &QAction::triggered, this, &pqTFCPanel::showKeys);
   return menu;
 }
 
@@ -240,6 +251,51 @@ void pqTFCPanel::changeEvent(QEvent* e)
   {
     this->updateIcons();
   }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCPanel::dragEnterEvent(QDragEnterEvent* e)
+{
+  const QList<QUrl> urls = e->mimeData()->urls();
+  if (urls.size() == 1 && urls[0].toLocalFile().endsWith(".json"))
+  {
+    e->acceptProposedAction();
+  }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCPanel::dropEvent(QDropEvent* e)
+{
+  e->acceptProposedAction();
+  this->Presets->open(e->mimeData()->urls()[0].toLocalFile());
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCPanel::showKeys()
+{
+  const QList<QStringList> rows = {
+    { tr("V E R T P L"), tr("select, ellipse, rectangle, triangle, polygon, lasso") },
+    { tr("arrows, with Shift"), tr("move the selected regions by 1 pixel, by 10") },
+    { tr("Tab, Shift+Tab"), tr("next and previous region") },
+    { tr("Ctrl+A, Ctrl+D, Delete"), tr("select all, duplicate, delete") },
+    { tr("Return, Backspace"), tr("close a polygon, take back its last corner") },
+    { tr("Escape"), tr("put back what is being dragged") },
+    { tr("+ - 0, wheel"), tr("zoom in, out, show all of the axes") },
+    { tr("middle button, Alt+left"), tr("pan") },
+    { tr("Shift while dragging"), tr("keep proportions, turn in steps of 15 degrees") },
+    { tr("Ctrl while dragging"), tr("keep the centre") },
+    { tr("double click"), tr("on an edge: new corner; on a corner: remove it") },
+  };
+  QString text = "<table cellpadding=3>";
+  for (const QStringList& row : rows)
+  {
+    text += "<tr><td><b>" + row[0].toHtmlEscaped() + "</b></td><td>" + row[1].toHtmlEscaped() +
+      "</td></tr>";
+  }
+  QMessageBox box(QMessageBox::NoIcon, tr("Keys and Mouse in the Chart"), text + "</table>",
+    QMessageBox::Close, this);
+  box.setObjectName("Keys");
+  box.exec();
 }
 
 //-----------------------------------------------------------------------------

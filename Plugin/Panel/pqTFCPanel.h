@@ -24,6 +24,7 @@ class pqTFCAxisBar;
 class pqTFCChartWidget;
 class pqTFCDocument;
 class pqTFCMessageBar;
+class pqTFCPresets;
 class pqTFCTertiaryEditor;
 
 class pqTFCPanel : public QDockWidget
@@ -62,6 +63,9 @@ public:
 
 protected:
   void changeEvent(QEvent* event) override;
+  /// Transfer function files can be dropped anywhere on the panel.
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
 private Q_SLOTS:
   void onTargetChanged();
@@ -74,6 +78,7 @@ private:
 
   QToolBar* makeTools();
   QMenu* makeHistogramMenu();
+  void showKeys();
   void updateIcons();
   void updateChart();
 
@@ -84,6 +89,7 @@ private:
   pqTFCTertiaryEditor* Tertiary;
   pqTFCMessageBar* Messages;
   QLabel* Status;
+  pqTFCPresets* Presets;
   QList<QAction*> Tools;
   QList<QAction*> ReadyActions; ///< need something to edit
   QStringList States;           ///< in the order of stateNumber()

@@ -39,8 +39,6 @@ vtkTFCDomainChart::vtkTFCDomainChart()
     this->Axes[i]->SetInteractive(false);
     this->Axes[i]->SetGridVisible(false);
     this->Axes[i]->SetTitle("");
-    this->Axes[i]->GetTitleProperties()->SetFontSize(12);
-    this->Axes[i]->GetTitleProperties()->SetBold(false);
     this->Axes[i]->GetLabelProperties()->SetFontSize(10);
     this->AddItem(this->Axes[i]);
   }
@@ -89,8 +87,8 @@ void vtkTFCDomainChart::GetAxisRanges(double ranges[4]) const
 
 void vtkTFCDomainChart::SetAxisTitles(const std::string& primary, const std::string& secondary)
 {
-  this->Axes[0]->SetTitle(primary);
-  this->Axes[1]->SetTitle(secondary);
+  this->Titles[0] = primary;
+  this->Titles[1] = secondary;
   this->Redraw();
 }
 
@@ -188,7 +186,6 @@ void vtkTFCDomainChart::SetDark(bool dark)
   {
     axis->GetPen()->SetColorF(ink, ink, ink, 1.0);
     axis->GetLabelProperties()->SetColor(ink, ink, ink);
-    axis->GetTitleProperties()->SetColor(ink, ink, ink);
   }
   this->Redraw();
 }

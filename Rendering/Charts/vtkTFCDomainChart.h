@@ -138,9 +138,9 @@ public:
   /**
    * A key without a mouse: `key` as Qt or X name it. Arrows move the selection by 1 pixel (10 with
    * Shift), Delete and BackSpace remove it, Tab and Backtab go through the regions, Escape cancels,
-   * Return closes a polygon and BackSpace takes back its last point; v e r t p l choose tools; + -
-   * 0 zoom in, out and fit; a with Control selects all, d with Control duplicates. True when the
-   * key did something.
+   * Return draws a box, ellipse or triangle in the middle with its tool and closes a polygon and
+   * BackSpace takes back its last point; v e r t p l choose tools; + - 0 zoom in, out and fit; a
+   * with Control selects all, d with Control duplicates. True when the key did something.
    */
   bool HandleKey(const std::string& key, bool shift, bool control);
 
@@ -199,6 +199,7 @@ private:
 
   void Layout(vtkContext2D* painter);
   void UpdateItems();
+  void PaintTitles(vtkContext2D* painter);
   void PaintGesture(vtkContext2D* painter);
   void PaintProbe(vtkContext2D* painter);
   void PaintMessage(vtkContext2D* painter);
@@ -241,6 +242,8 @@ private:
   bool KeepTool = false;
   std::unique_ptr<Drag> Gesture;
   std::string Message;
+  std::string Titles[2];
+  double TitleBorders[2] = { 0, 0 }; ///< bottom and left: pixels from the plot to the titles
   Point Probe = { 0, 0 };
   bool ProbeShown = false;
   bool HoverInside = false;

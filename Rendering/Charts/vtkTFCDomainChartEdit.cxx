@@ -308,6 +308,15 @@ bool vtkTFCDomainChart::HandleKey(const std::string& key, bool shift, bool contr
     this->Gesture->Stop(DragModes::None);
     return true;
   }
+  if (key == "Return" && this->Tool >= Ellipse && this->Tool <= Triangle)
+  {
+    // As a click in the middle of what is shown: drawing without a mouse.
+    const auto& plot = this->Mapping.Plot;
+    this->Gesture->Stop(DragModes::Box);
+    this->Gesture->Start = { plot[0] + plot[2] / 2, plot[1] + plot[3] / 2 };
+    this->FinishDrag();
+    return true;
+  }
   if (clicking && (key == "BackSpace" || key == "Backspace"))
   {
     this->Gesture->Points.pop_back();

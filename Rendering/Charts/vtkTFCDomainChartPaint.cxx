@@ -11,10 +11,17 @@
 #include "vtkPen.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkStringArray.h"
 #include "vtkTFCDomainChartDrag.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+
+namespace
+{
+constexpr int TITLE_SIZE = 12;  // points
+constexpr int LABEL_OFFSET = 8; // points, from the axis
+}
 
 void vtkTFCDomainChart::Layout(vtkContext2D* painter)
 {
@@ -43,19 +50,52 @@ void vtkTFCDomainChart::Layout(vtkContext2D* painter)
       vtkAxis* axis = this->Axes[i];
       axis->GetPen()->SetWidth(static_cast<float>(map.Scale));
       axis->SetTickLength(static_cast<float>(3 * map.Scale));
-      axis->SetLabelOffset(static_cast<float>(8 * map.Scale));
+      axis->SetLabelOffset(static_cast<float>(LABEL_OFFSET * map.Scale));
       axis->SetMargins(static_cast<int>(6 * map.Scale), static_cast<int>(6 * map.Scale));
       axis->SetPoint1(static_cast<float>(map.Plot[0]), static_cast<float>(map.Plot[1]));
       axis->SetPoint2(static_cast<float>(map.Plot[0] + (i == 0 ? map.Plot[2] : 0)),
         static_cast<float>(map.Plot[1] + (i == 1 ? map.Plot[3] : 0)));
       axis->SetRange(low + view[0] * size, low + view[1] * size);
       axis->Update();
-      const vtkRectf rect = axis->GetBoundingRect(painter);
-      border[1 - i] = i == 0 ? rect.GetHeight() : rect.GetWidth();
+      // Not GetBoundingRect(), which ignores the offset of the labels.
+      double label = 0;
+      painter->ApplyTextProp(axis->GetLabelProperties());
+      for (vtkIdType tick = 0; tick < axis->GetTickLabels()->GetNumberOfValues(); ++tick)
+      {
+        float box[4];
+        painter->ComputeStringBounds(axis->GetTickLabels()->GetValue(tick), box);
+        label = std::max(label, static_cast<double>(i == 0 ? box[3] : box[2]));
+      }
+      this->TitleBorders[i] = label + (LABEL_OFFSET + 3) * map.Scale;
+      border[1 - i] = this->TitleBorders[i] + TITLE_SIZE * 1.4 * map.Scale;
     }
   }
   this->Clip->SetClip(static_cast<float>(map.Plot[0]), static_cast<float>(map.Plot[1]),
     static_cast<float>(map.Plot[2]), static_cast<float>(map.Plot[3]));
+}
+
+// Not by vtkAxis: its distance between labels and title is in pixels, so that they overlap on
+// screens of high density (VTK 9.2, Charts/Core/vtkAxis.cxx, CalculateTitlePosition()).
+void vtkTFCDomainChart::PaintTitles(vtkContext2D* painter)
+{
+  const auto& plot = this->Mapping.Plot;
+  vtkTextProperty* text = painter->GetTextProp();
+  text->SetFontFamilyToArial();
+  text->SetFontSize(TITLE_SIZE);
+  text->SetBold(false);
+  text->SetOpacity(1);
+  const double ink = this->Mapping.Dark ? 0.9 : 0.1;
+  text->SetColor(ink, ink, ink);
+  text->SetJustificationToCentered();
+  for (int i = 0; i < 2; ++i)
+  {
+    text->SetOrientation(i == 0 ? 0 : 90);
+    i == 0 ? text->SetVerticalJustificationToTop() : text->SetVerticalJustificationToBottom();
+    const double x = i == 0 ? plot[0] + plot[2] / 2 : plot[0] - this->TitleBorders[1];
+    const double y = i == 0 ? plot[1] - this->TitleBorders[0] : plot[1] + plot[3] / 2;
+    painter->DrawString(static_cast<float>(x), static_cast<float>(y), this->Titles[i].c_str());
+  }
+  text->SetOrientation(0);
 }
 
 void vtkTFCDomainChart::PaintGesture(vtkContext2D* painter)
@@ -165,6 +205,7 @@ bool vtkTFCDomainChart::Paint(vtkContext2D* painter)
     static_cast<float>(plot[2]), static_cast<float>(plot[3]));
   painter->GetPen()->SetOpacityF(1);
   this->PaintChildren(painter);
+  this->PaintTitles(painter);
   this->PaintGesture(painter);
   this->PaintProbe(painter);
   this->PaintMessage(painter);

@@ -159,8 +159,9 @@ void Measure(Peak& peak, const Plane& counts, const Plane& heights, const std::v
   {
     if (basin[cell] == peak.Cell && heights[cell] >= level)
     {
+      const int row = cell / GRID;
       const double x = (cell % GRID + 0.5) / GRID;
-      const double y = (cell / GRID + 0.5) / GRID;
+      const double y = (row + 0.5) / GRID;
       const double n = counts[cell];
       peak.Count += n;
       mean[0] += n * x;

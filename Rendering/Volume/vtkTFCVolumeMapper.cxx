@@ -6,6 +6,7 @@
 #include "vtkTFCGraphicsSupport.h"
 #include "vtkTFCImageBlocks.h"
 #include "vtkTFCSettingsCheck.h"
+#include "vtkTFCTextureLimit.h"
 #include "vtkTFCTransferFunction.h"
 #include "vtkTFCVolumeBlock.h"
 
@@ -15,7 +16,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkTextureObject.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -74,25 +74,27 @@ bool vtkTFCVolumeMapper::Internals::UpdateBlocks(vtkTFCVolumeMapper* mapper, vtk
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   vtkTFCImageBlocks::Limits limits;
-  limits.LongestSide = mapper->LongestTextureSide > 0
-    ? mapper->LongestTextureSide
-    : vtkTextureObject::GetMaximumTextureSize3D(window);
+  limits.LongestSide = mapper->LongestTextureSide > 0 ? mapper->LongestTextureSide
+                                                      : vtkTFCTextureLimit::FindLongestSide(window);
   const size_t attributes = this->Model.Attributes.size();
   const vtkIdType voxelBytes = (attributes > 4      ? 32
                                    : attributes > 2 ? 16
                                                     : 8) +
     (vol->GetProperty()->GetShade() ? 8 : 0);
   const vtkIdType limit = static_cast<vtkIdType>(mapper->MemoryLimit) << 20;
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  window->MakeCurrent();
+  limits.MostVoxels = vtkTFCTextureLimit::FindMostVoxels(window, input, attributes > 2 ? 4 : 2);
   if (limit > 0)
   {
-    limits.MostVoxels = limit / voxelBytes;
+    limits.MostVoxels = std::min(limits.MostVoxels, limit / voxelBytes);
   }
   std::vector<vtkTFCAttribute> arrays = this->Model.Attributes;
   if (!mapper->ShadingArray.empty())
   {
     arrays.push_back({ mapper->ShadingArray, 0 });
   }
-  const auto& images = this->Images.Update(mapper->GetInputDataObject(0, 0), arrays, limits, error);
+  const auto& images = this->Images.Update(input, arrays, limits, error);
   if (this->ImagesGeneration != this->Images.GetGeneration())
   {
     this->ImagesGeneration = this->Images.GetGeneration();
@@ -377,17 +379,14 @@ bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& 
   {
     return false;
   }
-  if (!internal.PackAndCompile(this, error))
-  {
-    return false;
-  }
+  const bool packed = internal.PackAndCompile(this, error);
   const auto blocks = std::count_if(internal.Blocks.begin(), internal.Blocks.end(),
     [](const auto& block) { return block->IsDrawable(); });
   const std::string unsupported =
     vtkTFCSettingsCheck::FindError(this, static_cast<int>(blocks), this->Distributed);
-  if (!unsupported.empty())
+  if (!packed || !unsupported.empty())
   {
-    error = unsupported;
+    error = packed ? unsupported : error;
     return false;
   }
   for (size_t i = 0; i < internal.Blocks.size() && vol->GetProperty()->GetShade(); ++i)

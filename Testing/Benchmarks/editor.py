@@ -79,9 +79,10 @@ def measure(size, folder):
          "--test-script=" + events, "--exit"],
         env=dict(os.environ, DASHBOARD_TEST_FROM_CTEST="1"), capture_output=True, text=True,
         timeout=600, check=False)
-    found = re.search(r"property value is: ([0-9.e+-]+)\. Expecting: \?", result.stdout + result.stderr)
+    output = result.stdout + result.stderr
+    found = re.search(r"property value is: ([0-9.e+-]+)\. Expecting: \?", output)
     if not found:
-        sys.exit("the drag was not played back:\n" + result.stdout[-2000:] + result.stderr[-2000:])
+        sys.exit("the drag was not played back:\n" + output[-4000:])
     return float(found.group(1))
 
 

@@ -277,6 +277,19 @@ TEST(DomainChart, KeysMoveAndDuplicate)
   EXPECT_EQ(scene.Chart->GetTool(), vtkTFCDomainChart::Lasso);
 }
 
+TEST(DomainChart, ReturnDrawsWithoutAMouse)
+{
+  ChartScene scene;
+  scene.Counts.clear();
+  EXPECT_TRUE(scene.Chart->HandleKey("r", false, false));
+  EXPECT_TRUE(scene.Chart->HandleKey("Return", false, false));
+  ASSERT_EQ(scene.Model->GetNumberOfRegions(), 1);
+  ExpectBox(scene.Model->GetRegion(0), 150, 0, 100 / 16.0, 2 / 16.0);
+  ExpectOneEdit(scene);
+  EXPECT_EQ(scene.Chart->GetTool(), vtkTFCDomainChart::Select);
+  EXPECT_FALSE(scene.Chart->HandleKey("Return", false, false));
+}
+
 TEST(DomainChart, KeysReachItThroughTheInteractor)
 {
   ChartScene scene;

@@ -142,11 +142,11 @@ TEST_F(Errors, AttributeOfAnotherSize)
   this->ExpectRecovery();
 }
 
-TEST_F(Errors, NoBlendingOfOneScalar)
+TEST_F(Errors, BlendModesThatMakeNoSense)
 {
   this->Set(MakeState(MakeFog(0.5)));
-  this->Scene.Mapper->SetBlendModeToSlice();
-  this->ExpectError({ "composite" });
+  this->Scene.Mapper->SetBlendModeToIsoSurface();
+  this->ExpectError({ "blend mode" });
   this->Scene.Mapper->SetBlendModeToComposite();
   this->ExpectRecovery();
 }

@@ -16,9 +16,9 @@ Function Combinations", Computers & Graphics 36(6), 2012)::
 
 Everything is in data units. ``help(tfc.TransferFunction)`` has the details, ``tfc.show`` renders,
 ``tfc.attributes`` computes attributes of a volume, ``tfc.score`` ranks them, ``tfc.suggest``
-proposes axes, ``tfc.propose`` a first transfer function, ``tfc.split`` says what to do in a
-region, ``tfc.quality`` compares a transfer function with labels, ``tfc.pick`` says why a pixel looks
-as it does. The plugin is loaded when it is first needed.
+proposes axes, ``tfc.propose`` a first transfer function, ``tfc.split`` says what to do in a region,
+``tfc.quality`` compares a transfer function with labels, ``tfc.pick`` says why a pixel looks as it
+does. The plugin is loaded when it is first needed.
 """
 
 from .advice import Split, Suggestion, split, suggest
