@@ -109,6 +109,18 @@ void vtkTFCVolumeRepresentation::SetRenderer(int renderer)
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetUseJittering(bool jittering)
+{
+  this->GetMapper()->SetUseJittering(jittering);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetShadingArray(const char* name)
+{
+  this->GetMapper()->SetShadingArray(name);
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCVolumeRepresentation::SetRayBlending(int mode)
 {
   this->RayBlending = mode;

@@ -50,6 +50,17 @@ public:
    */
   void SetRenderer(int renderer);
 
+  /**
+   * Whether samples are shifted at random along each ray. Default: off.
+   */
+  void SetUseJittering(bool jittering);
+
+  /**
+   * Name of the array whose gradient is the normal of shading; empty: the primary attribute.
+   * Default: empty.
+   */
+  void SetShadingArray(const char* name);
+
   ///@{
   /**
    * How the samples of a ray are blended: vtkVolumeMapper's COMPOSITE_BLEND (0),

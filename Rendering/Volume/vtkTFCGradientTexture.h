@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Gradients of the primary attribute as a 3D texture of one OpenGL context, for shading.
+ * @brief Gradients of an attribute as a 3D texture of one OpenGL context, for shading.
  *
  * Central differences over a voxel to each side, one-sided at the border of the image and beside a
  * voxel without data, 0 where both neighbours are missing. In between, the interpolated gradient is

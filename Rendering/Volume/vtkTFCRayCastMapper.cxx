@@ -262,7 +262,8 @@ bool vtkTFCRayCastMapper::UploadTextures(vtkOpenGLRenderWindow* window, vtkVolum
   {
     this->GradientTexture->ReleaseGraphicsResources(window);
   }
-  else if (!this->GradientTexture->Upload(window, packed, texels, linear))
+  else if (!this->GradientTexture->Upload(window,
+             this->ShadingValues ? this->ShadingValues : packed, texels, linear))
   {
     return refuse("x 8 bytes for the gradients of shading",
       "Switch shading off, or use fewer voxels.");

@@ -82,6 +82,10 @@ public:
   /// composites, so that its own code for other modes stays out of the shader.
   void SetBlending(int mode) { this->Blending = mode; }
 
+  /// What to shade by the gradient of, a value per texel, or null for the first packed attribute.
+  /// It must live until the next call.
+  void SetShadingValues(vtkFloatArray* values) { this->ShadingValues = values; }
+
   /// The distances of vtkTFCBrickActivity for the input; before the first frame.
   void SetBricks(std::vector<unsigned char> distances, const std::array<int, 3>& dimensions,
     int brickSize);
@@ -129,6 +133,7 @@ private:
   bool HasCropped = false; // other than a box: compiled only once it is needed
   double UnitDistance = 1;
   int Blending = COMPOSITE_BLEND;
+  vtkFloatArray* ShadingValues = nullptr;
 };
 
 #endif

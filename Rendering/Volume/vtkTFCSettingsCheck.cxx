@@ -43,10 +43,18 @@ std::string vtkTFCSettingsCheck::FindError(vtkMultiBlockVolumeMapper* mapper, in
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTFCSettingsCheck::FindOmission(vtkMultiBlockVolumeMapper* mapper)
+std::string vtkTFCSettingsCheck::FindOmission(vtkMultiBlockVolumeMapper* mapper, bool onCPU,
+  const std::string& shadingArray)
 {
-  return mapper->GetVolumetricScatteringBlending() > 0.0f
-    ? "volumetric scattering is not available for a combined transfer function, and is left out. "
-      "Set VolumetricScatteringBlending to 0 to be rid of this message."
-    : "";
+  if (mapper->GetVolumetricScatteringBlending() > 0.0f)
+  {
+    return "volumetric scattering is not available for a combined transfer function, and is left "
+           "out. Set VolumetricScatteringBlending to 0 to be rid of this message.";
+  }
+  if (onCPU && !shadingArray.empty())
+  {
+    return "on the CPU, shading is by the gradient of the opacity; the ShadingArray '" +
+      shadingArray + "' is not used.";
+  }
+  return "";
 }

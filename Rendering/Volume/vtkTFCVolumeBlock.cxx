@@ -125,6 +125,25 @@ unsigned int vtkTFCVolumeBlock::Compile(const vtkTFCCompiledModel& model, unsign
 }
 
 //------------------------------------------------------------------------------
+std::array<int, 3> vtkTFCVolumeBlock::GetTexels() const
+{
+  std::array<int, 3> texels;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    texels[axis] = std::max(1,
+      this->Packer.GetImage()->GetDimensions()[axis] - (this->Packer.IsCellData() ? 1 : 0));
+  }
+  return texels;
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeBlock::UpdateShading(const vtkTFCImageBlocks::Block& block,
+  const std::string& array, std::string& error)
+{
+  this->Shading.Update(block.Image, array, this->Packer.IsCellData(), this->GetTexels(), error);
+}
+
+//------------------------------------------------------------------------------
 // Tell the caster where nothing can be visible; `changed`: the model or the data is new.
 void vtkTFCVolumeBlock::UpdateBricks(const vtkTFCCompiledModel& model, bool skipping, bool changed)
 {
@@ -140,11 +159,7 @@ void vtkTFCVolumeBlock::UpdateBricks(const vtkTFCCompiledModel& model, bool skip
       const bool cells = this->Packer.IsCellData();
       auto* array = vtkFloatArray::SafeDownCast(
         cells ? image->GetCellData()->GetScalars() : image->GetPointData()->GetScalars());
-      std::array<int, 3> texels;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        texels[axis] = std::max(1, image->GetDimensions()[axis] - (cells ? 1 : 0));
-      }
+      const std::array<int, 3> texels = this->GetTexels();
       this->Ranges.Compute(array->GetPointer(0), texels, array->GetNumberOfComponents());
       this->MoreRanges = vtkTFCBrickRanges();
       if (vtkFloatArray* more = this->Packer.GetMore())
@@ -251,6 +266,7 @@ void vtkTFCVolumeBlock::Render(vtkRenderer* ren, vtkVolume* vol, vtkVolumeMapper
   this->Caster->SetScalarMode(
     this->Packer.IsCellData() ? VTK_SCALAR_MODE_USE_CELL_DATA : VTK_SCALAR_MODE_USE_POINT_DATA);
   this->Caster->SetFeatures(features);
+  this->Caster->SetShadingValues(this->Shading.Get());
   this->Caster->SetBlending(mapper->GetBlendMode());
   this->Caster->SetMoreAttributes(this->Packer.GetMore());
   this->Caster->SetVisibility(this->FindVisibility(mapper, vol));

@@ -17,6 +17,7 @@
 #include "vtkTFCImageBlocks.h"
 #include "vtkTFCRayCastMapper.h"
 #include "vtkTFCShaderTables.h"
+#include "vtkTFCShadingValues.h"
 
 #include "vtkNew.h" // For the caster
 
@@ -49,6 +50,14 @@ public:
   unsigned int Compile(const vtkTFCCompiledModel& model, unsigned int generation, bool skipping,
     unsigned int features);
 
+  /// Find the values of the array by whose gradient to shade; with an empty name, or with `error`
+  /// when it cannot be used, it is that of the primary attribute.
+  void UpdateShading(const vtkTFCImageBlocks::Block& block, const std::string& array,
+    std::string& error);
+
+  /// Whether pieces of rays begin at random; builds a shader when it changes.
+  void SetJittering(bool jittering) { this->Caster->SetUseJittering(jittering); }
+
   /// Draw with a shader that has `features`, settings taken from `mapper`. The distance between
   /// samples is a world length.
   void Render(vtkRenderer* ren, vtkVolume* vol, vtkVolumeMapper* mapper, double sampleDistance,
@@ -77,6 +86,7 @@ public:
 
 private:
   std::array<int, 6> GetDrawnExtent() const;
+  std::array<int, 3> GetTexels() const;
   void UpdateBricks(const vtkTFCCompiledModel& model, bool skipping, bool changed);
   vtkTFCRayCastMapper::Visibility FindVisibility(vtkVolumeMapper* mapper, vtkVolume* vol) const;
 
@@ -90,6 +100,7 @@ private:
   unsigned int ModelGeneration = 0;
   unsigned int TablesPackGeneration = 0;
 
+  vtkTFCShadingValues Shading;
   vtkTFCBrickRanges Ranges;
   vtkTFCBrickRanges MoreRanges; // of channels 4 to 7, where there are any
   unsigned int RangesPackGeneration = 0;

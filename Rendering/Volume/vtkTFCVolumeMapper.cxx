@@ -89,7 +89,12 @@ bool vtkTFCVolumeMapper::Internals::UpdateBlocks(vtkTFCVolumeMapper* mapper, vtk
   {
     limits.MostVoxels = std::min(limits.MostVoxels, limit / voxelBytes);
   }
-  const auto& images = this->Images.Update(input, this->Model.Attributes, limits, error);
+  std::vector<vtkTFCAttribute> arrays = this->Model.Attributes;
+  if (!mapper->ShadingArray.empty())
+  {
+    arrays.push_back({ mapper->ShadingArray, 0 });
+  }
+  const auto& images = this->Images.Update(input, arrays, limits, error);
   if (this->ImagesGeneration != this->Images.GetGeneration())
   {
     this->ImagesGeneration = this->Images.GetGeneration();
@@ -374,18 +379,22 @@ bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& 
   {
     return false;
   }
-  if (!internal.PackAndCompile(this, error))
-  {
-    return false;
-  }
+  const bool packed = internal.PackAndCompile(this, error);
   const auto blocks = std::count_if(internal.Blocks.begin(), internal.Blocks.end(),
     [](const auto& block) { return block->IsDrawable(); });
   const std::string unsupported =
     vtkTFCSettingsCheck::FindError(this, static_cast<int>(blocks), this->Distributed);
-  if (!unsupported.empty())
+  if (!packed || !unsupported.empty())
   {
-    error = unsupported;
+    error = packed ? unsupported : error;
     return false;
+  }
+  for (size_t i = 0; i < internal.Blocks.size() && vol->GetProperty()->GetShade(); ++i)
+  {
+    if (internal.Blocks[i]->IsDrawable())
+    {
+      internal.Blocks[i]->UpdateShading(internal.Images.GetBlocks()[i], this->ShadingArray, error);
+    }
   }
   // Both setters do nothing when nothing changes.
   vol->GetProperty()->SetIndependentComponents(0);
@@ -409,6 +418,7 @@ void vtkTFCVolumeMapper::RenderBlocks(vtkRenderer* ren, vtkVolume* vol)
   }
   for (auto* block : order)
   {
+    block->SetJittering(this->UseJittering);
     block->Render(ren, vol, this, distance, this->Internal->Features);
     if (this->Internal->Streaming)
     {
@@ -435,7 +445,8 @@ void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
       vtkErrorMacro("Combined Volume: " << error);
     }
   }
-  const std::string omission = vtkTFCSettingsCheck::FindOmission(this);
+  const std::string omission = vtkTFCSettingsCheck::FindOmission(this, this->UsedCPU,
+    vol->GetProperty()->GetShade() ? this->ShadingArray : "");
   if (ready && omission != this->Internal->Omission)
   {
     this->Internal->Omission = omission;
@@ -475,6 +486,8 @@ void vtkTFCVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "LongestTextureSide: " << this->LongestTextureSide << "\n";
   os << indent << "EmptySpaceSkipping: " << this->EmptySpaceSkipping << "\n";
+  os << indent << "ShadingArray: " << this->ShadingArray << "\n";
+  os << indent << "UseJittering: " << this->UseJittering << "\n";
   os << indent << "Renderer: " << this->Renderer << "\n";
   os << indent << "UsedCPU: " << this->UsedCPU << "\n";
   os << indent << "LastError: " << this->LastError << "\n";

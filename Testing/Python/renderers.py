@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: the Transfer Function Combinations developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The properties Renderer (the same state gives the same picture on the GPU and on the CPU) and
-RayBlending.
+"""The properties Renderer (the same state gives the same picture on the GPU and on the CPU),
+RayBlending, ShadingArray and UseJittering.
 """
 import pictures
 import scripttest
@@ -72,3 +72,13 @@ check(float(refused.max()) == 0, "no isosurfaces")
 check("composite, maximum, average or additive" in report, "reported: " + report)
 display.BlendMode = "Composite"
 check(pictures.difference(seen[0], pictures.capture(view)) == 0, "and back")
+
+# Shading by another array, and jittering.
+display.Shade = 1
+primary = pictures.capture(view)
+display.ShadingArray = "R"
+check(pictures.difference(primary, pictures.capture(view)) > 0.2, "another array's normals")
+display.ShadingArray = ""
+check(pictures.difference(primary, pictures.capture(view)) == 0, "the primary attribute's again")
+display.UseJittering = 1
+check(0 < pictures.difference(primary, pictures.capture(view)) < 3, "jittered samples")

@@ -340,6 +340,52 @@ TEST_F(Fog, InteractionIsCoarserAndKeepsTheOpacity)
   this->ExpectLength(this->Scene.Render(), 15, 12, 20);
 }
 
+TEST_F(Fog, JitteringMovesTheSamplesAndKeepsTheOpacity)
+{
+  this->Scene.Mapper->SetSampleDistance(3);
+  this->Scene.Mapper->UseJitteringOn();
+  this->ExpectLength(this->Scene.Render(), 15, 12, 20);
+
+  // A ball that coarse samples see in rings: noise now, as bright in the mean.
+  AddField(this->Image, "x",
+    [](double x, double y, double z)
+    { return (std::hypot(x - 15, y - 12, z - 10) < 9) ? 0.5 : 5.0; });
+  const Picture noisy = this->Scene.Render();
+  this->Scene.Mapper->UseJitteringOff();
+  const Picture rings = this->Scene.Render();
+  EXPECT_GT(Compare(noisy, rings).Largest, 8);
+  const auto mean = [](const Picture& picture)
+  {
+    double sum = 0;
+    for (const unsigned char value : picture.Values)
+    {
+      sum += value;
+    }
+    return sum / static_cast<double>(picture.Values.size());
+  };
+  EXPECT_NEAR(mean(noisy), mean(rings), 0.03 * mean(rings));
+  this->Scene.Mapper->SetSampleDistance(0.02);
+  EXPECT_NEAR(mean(noisy), mean(this->Scene.Render()), 0.03 * mean(rings));
+}
+
+TEST_F(Fog, InteractionIsCoarserOnlyWhileItLasts)
+{
+  AddField(this->Image, "x",
+    [](double x, double y, double z) { return int(x + y + z) / 3 % 2 ? 0.5 : 2.0; });
+  this->Scene.Mapper->SetSampleDistance(0.1);
+  const Picture still = this->Scene.Render();
+  EXPECT_GT(*std::max_element(still.Values.begin(), still.Values.end()), 100);
+  this->Scene.Window->SetDesiredUpdateRate(1000.0);
+  Picture moving;
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    moving = this->Scene.Render();
+  }
+  EXPECT_GT(Compare(still, moving).Mean, 1) << "longer steps";
+  this->Scene.Window->SetDesiredUpdateRate(0.0001);
+  EXPECT_EQ(Compare(still, this->Scene.Render()).Largest, 0) << "at once, in full";
+}
+
 TEST(ScalarTypes, AllGiveThePictureOfDouble)
 {
   VolumeScene scene(Pixels);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Gradient of the primary attribute for VTK's lighting: one fetch (see vtkTFCGradientTexture.h).
+// Gradient of the shaded attribute for VTK's lighting: one fetch (see vtkTFCGradientTexture.h).
 //
 // A gradient is a covector: with texture coordinates t = A p + const of data coordinates p, the
 // gradient by p is transpose(A) times that by t.
@@ -21,6 +21,9 @@ void tfcBeginLight()
 #ifdef TOTAL_NUMBER_LIGHTS
   g_tfcGradientToLight = inverse(mat3(in_textureToEye[0])) * mat3(in_modelViewMatrix) *
     transpose(dataToTexture * mat3(in_inverseVolumeMatrix[0]));
+  // VTK takes g_dataPos for a place in the box of the points, half a voxel off at its faces: texels
+  // are in the middle (still so in August 2026).
+  g_texToView = in_modelViewMatrix * in_volumeMatrix[0] * inverse(ip_inverseTextureDataAdjusted);
 #else
   g_tfcGradientToLight = transpose(dataToTexture);
 #endif
