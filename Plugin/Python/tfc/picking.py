@@ -21,8 +21,8 @@ Pick.__doc__ = """A place on a line of sight.
 ``position`` in world coordinates, ``voxel`` (i, j, k) in ``block`` (0 for a single image),
 ``distance`` from the eye; ``opacity`` accumulated there and ``total_opacity`` of the whole line;
 ``reached``: whether the threshold was. ``color`` (red, green, blue, alpha per unit distance) is
-that of the sample, ``axes`` its primary and secondary value, ``values`` a dictionary of all arrays there, ``regions`` the
-:class:`RegionShare` of each visible region, in list order."""
+that of the sample, ``axes`` its primary and secondary value, ``values`` a dictionary of all arrays
+there, ``regions`` the :class:`RegionShare` of each visible region, in list order."""
 
 
 def _find_display(view):
