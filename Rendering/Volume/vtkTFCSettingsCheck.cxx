@@ -43,6 +43,29 @@ std::string vtkTFCSettingsCheck::FindError(vtkMultiBlockVolumeMapper* mapper, in
 }
 
 //------------------------------------------------------------------------------
+std::string vtkTFCSettingsCheck::FindErrorOnCPU(vtkMultiBlockVolumeMapper* mapper, int blocks,
+  bool distributed)
+{
+  if (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    return "on the CPU only composite blending is available. Set the blend mode to composite, or "
+           "Renderer to GPU.";
+  }
+  if (distributed)
+  {
+    // ParaView's "Ray Cast Only" loses the parts of all processes but one, too (5.11).
+    return "on the CPU the data must be in one process: pictures of VTK's ray caster cannot be "
+           "composited over several. Set Renderer to GPU, or run with one process.";
+  }
+  if (blocks > 1)
+  {
+    return "the CPU renders a single grid, and the input has " + std::to_string(blocks) +
+      ". Resample them to one image, show one of them, or set Renderer to GPU.";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
 std::string vtkTFCSettingsCheck::FindOmission(vtkMultiBlockVolumeMapper* mapper, bool onCPU,
   const std::string& shadingArray)
 {

@@ -21,6 +21,9 @@ namespace vtkTFCSettingsCheck
 /// or not: more than 16 clipping planes, a blend mode that is not known or needs whole rays.
 std::string FindError(vtkMultiBlockVolumeMapper* mapper, int blocks, bool distributed);
 
+/// The same for the CPU, which draws one block with composite blending, in one process.
+std::string FindErrorOnCPU(vtkMultiBlockVolumeMapper* mapper, int blocks, bool distributed);
+
 /// What is left out of the picture: volumetric scattering, and on the CPU the `shadingArray`.
 std::string FindOmission(vtkMultiBlockVolumeMapper* mapper, bool onCPU,
   const std::string& shadingArray);

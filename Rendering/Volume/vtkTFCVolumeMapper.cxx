@@ -334,22 +334,17 @@ bool vtkTFCVolumeMapper::PrepareForCPU(std::string& error)
   {
     return false;
   }
-  if (this->BlendMode != vtkVolumeMapper::COMPOSITE_BLEND)
-  {
-    error = "on the CPU only composite blending is available. Set BlendMode to Composite, or "
-            "Renderer to GPU.";
-    return false;
-  }
   const auto& images = this->Internal->Images.Update(this->GetInputDataObject(0, 0),
     model->GetAttributes(), vtkTFCImageBlocks::Limits(), error);
   if (images.empty())
   {
     return false;
   }
-  if (images.size() > 1)
+  const std::string unsupported =
+    vtkTFCSettingsCheck::FindErrorOnCPU(this, static_cast<int>(images.size()), this->Distributed);
+  if (!unsupported.empty())
   {
-    error = "the CPU renders a single grid, and the input has " + std::to_string(images.size()) +
-      ". Resample them to one image, show one of them, or set Renderer to GPU.";
+    error = unsupported;
     return false;
   }
   vtkTFCFallbackRenderer::AxisRanges ranges;

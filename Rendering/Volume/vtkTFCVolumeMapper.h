@@ -164,8 +164,8 @@ public:
   /**
    * What draws: OpenGL, or VTK's ray caster on the CPU (vtkTFCFallbackRenderer says what is
    * different there). AutoRenderer is OpenGL where the driver has what it needs, else the CPU, with
-   * one warning that says why. The CPU draws a single image or grid with composite blending; a
-   * composite of more is an error. Default: AutoRenderer.
+   * one warning that says why. The CPU draws a single image or grid with composite blending in one
+   * process; anything else is an error. Default: AutoRenderer.
    */
   vtkSetClampMacro(Renderer, int, AutoRenderer, CPURenderer);
   vtkGetMacro(Renderer, int);

@@ -306,6 +306,31 @@ TEST_F(CpuFog, NoDataBlankedAndGhostCellsAreInvisible)
   this->ExpectLength(picture, 15, 12, 16);
 }
 
+// As a rank has it: an extent that does not begin at 0, with ghost cells in front of it.
+TEST_F(CpuFog, AnyExtentWithGhostCellsOnEitherSide)
+{
+  for (const bool low : { true, false })
+  {
+    vtkNew<vtkImageData> part;
+    part->SetExtent(-15, 15, -12, 12, 30, 50);
+    part->SetOrigin(15, 12, -30);
+    for (const char* name : { "x", "y" })
+    {
+      part->GetPointData()->AddArray(this->Image->GetPointData()->GetArray(name));
+    }
+    vtkUnsignedCharArray* ghosts = part->AllocateCellGhostArray();
+    for (vtkIdType i = 0; i < part->GetNumberOfCells(); ++i)
+    {
+      const int z = static_cast<int>(i / 30 / 24);
+      ghosts->SetValue(i,
+        (low ? z < 7 : z >= 13) ? vtkDataSetAttributes::DUPLICATECELL
+                                : static_cast<unsigned char>(0));
+    }
+    this->Scene.Mapper->SetInputData(part);
+    this->ExpectLength(this->Scene.Render(), 15, 12, 13);
+  }
+}
+
 TEST_F(CpuFog, CellDataAndASingleLayer)
 {
   for (const int layers : { 21, 1 })
@@ -338,6 +363,10 @@ TEST_F(CpuFog, WhatItCannotDoIsAnErrorThatSaysSo)
   expect("on the CPU only composite blending");
   this->Scene.Mapper->SetBlendModeToComposite();
 
+  this->Scene.Mapper->SetDistributed(true);
+  expect("in one process");
+  this->Scene.Mapper->SetDistributed(false);
+
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, this->Image);
   blocks->SetBlock(1, this->Image);
@@ -353,5 +382,5 @@ TEST_F(CpuFog, WhatItCannotDoIsAnErrorThatSaysSo)
   EXPECT_EQ(Compare(before, this->Scene.Render()).Largest, 0) << "the previous model stays";
   EXPECT_NE(this->Scene.Mapper->GetLastError().find("'z'"), std::string::npos)
     << this->Scene.Mapper->GetLastError();
-  EXPECT_EQ(this->Errors.Count, 3);
+  EXPECT_EQ(this->Errors.Count, 4);
 }
