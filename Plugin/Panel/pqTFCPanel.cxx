@@ -6,8 +6,10 @@
 #include "pqTFCAdviceDialog.h"
 #include "pqTFCAxisBar.h"
 #include "pqTFCChartWidget.h"
+#include "pqTFCComputeMenu.h"
 #include "pqTFCDocument.h"
 #include "pqTFCIcons.h"
+#include "pqTFCKeysPage.h"
 #include "pqTFCMessageBar.h"
 #include "pqTFCPresets.h"
 #include "pqTFCProbe.h"
@@ -29,7 +31,6 @@
 #include <QEvent>
 #include <QLabel>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QSplitter>
 #include <QToolBar>
@@ -185,6 +186,14 @@ QToolBar* pqTFCPanel::makeTools()
   view->setPopupMode(QToolButton::InstantPopup);
   view->setMenu(this->makeHistogramMenu());
   bar->addWidget(view);
+  auto* compute = new QToolButton(bar);
+  compute->setObjectName("ComputeMenu");
+  compute->setText(tr("Compute"));
+  compute->setToolTip(
+    tr("Attributes of the primary axis, to be used as axes or tertiary attributes"));
+  compute->setPopupMode(QToolButton::InstantPopup);
+  compute->setMenu(new pqTFCComputeMenu(this->Document, compute));
+  bar->addWidget(compute);
   QAction* advice = bar->addAction(tr("Advice"));
   advice->setObjectName("Advice");
   advice->setToolTip(tr("Axes, tertiary attributes and splits that the data suggest"));
@@ -251,7 +260,7 @@ QMenu* pqTFCPanel::makeHistogramMenu()
   menu->addSeparator();
   QAction* keys = menu->addAction(tr("Keys and Mouse ..."));
   keys->setObjectName("Keys");
-  QObject::connect(keys, &QAction::triggered, this, &pqTFCPanel::showKeys);
+  QObject::connect(keys, &QAction::triggered, this, [this]() { pqTFCShowKeysPage(this); });
   return menu;
 }
 
@@ -289,34 +298,6 @@ void pqTFCPanel::dropEvent(QDropEvent* e)
 {
   e->acceptProposedAction();
   this->Presets->open(e->mimeData()->urls()[0].toLocalFile());
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCPanel::showKeys()
-{
-  const QList<QStringList> rows = {
-    { tr("V E R T P L"), tr("select, ellipse, rectangle, triangle, polygon, lasso") },
-    { tr("arrows, with Shift"), tr("move the selected regions by 1 pixel, by 10") },
-    { tr("Tab, Shift+Tab"), tr("next and previous region") },
-    { tr("Ctrl+A, Ctrl+D, Delete"), tr("select all, duplicate, delete") },
-    { tr("Return, Backspace"), tr("close a polygon, take back its last corner") },
-    { tr("Escape"), tr("put back what is being dragged") },
-    { tr("+ - 0, wheel"), tr("zoom in, out, show all of the axes") },
-    { tr("middle button, Alt+left"), tr("pan") },
-    { tr("Shift while dragging"), tr("keep proportions, turn in steps of 15 degrees") },
-    { tr("Ctrl while dragging"), tr("keep the centre") },
-    { tr("double click"), tr("on an edge: new corner; on a corner: remove it") },
-  };
-  QString text = "<table cellpadding=3>";
-  for (const QStringList& row : rows)
-  {
-    text += "<tr><td><b>" + row[0].toHtmlEscaped() + "</b></td><td>" + row[1].toHtmlEscaped() +
-      "</td></tr>";
-  }
-  QMessageBox box(QMessageBox::NoIcon, tr("Keys and Mouse in the Chart"), text + "</table>",
-    QMessageBox::Close, this);
-  box.setObjectName("Keys");
-  box.exec();
 }
 
 //-----------------------------------------------------------------------------

@@ -79,7 +79,6 @@ private:
 
   QToolBar* makeTools();
   QMenu* makeHistogramMenu();
-  void showKeys();
   void updateIcons();
   void updateChart();
 

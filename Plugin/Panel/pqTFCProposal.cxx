@@ -201,3 +201,15 @@ void pqTFCProposal::computeGradient(pqTFCDocument* document)
     diagonal && model->GetNumberOfRegions() == 0 ? QString()
                                                  : QString::fromStdString(model->GetState()));
 }
+
+//-----------------------------------------------------------------------------
+void pqTFCProposal::compute(pqTFCDocument* document, const char* filter, const QString& title)
+{
+  const QString state = document->state();
+  const std::string array = document->model()->GetAxisArray(0);
+  if (!array.empty())
+  {
+    SCOPED_UNDO_SET(tr("Compute %1").arg(title));
+    AddFilter(filter, array, state);
+  }
+}

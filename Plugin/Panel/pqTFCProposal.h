@@ -35,6 +35,9 @@ public:
   /// Add the gradient magnitude of the primary attribute and put it on the secondary axis.
   static void computeGradient(pqTFCDocument* document);
 
+  /// Add a property filter of the primary attribute; the transfer function stays as it is.
+  static void compute(pqTFCDocument* document, const char* filter, const QString& title);
+
 private Q_SLOTS:
   void later();
   void propose();
