@@ -189,6 +189,7 @@ void pqTFCProbe::pick(double x, double y)
 
   // The regions by their part in the colour.
   std::vector<std::pair<double, int>> order;
+  order.reserve(shares->GetNumberOfRows());
   for (int row = 0; row < shares->GetNumberOfRows(); ++row)
   {
     order.emplace_back(-shares->GetNumber("contribution", row), row);
