@@ -105,22 +105,6 @@ bool vtkTFCRaySampler::Intersect(const std::array<double, 3>& start,
 }
 
 //------------------------------------------------------------------------------
-bool vtkTFCRaySampler::Contains(const std::array<double, 3>& world) const
-{
-  constexpr double tolerance = 1e-9; // of an index: the border is shared with the next image
-  const auto index = this->ToIndex(world, 1.0);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (!(index[axis] >= this->Drawn[2 * axis] - tolerance &&
-          index[axis] <= this->Drawn[2 * axis + 1] + tolerance))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 std::array<int, 3> vtkTFCRaySampler::FindVoxel(const std::array<double, 3>& world) const
 {
   const auto index = this->ToIndex(world, 1.0);

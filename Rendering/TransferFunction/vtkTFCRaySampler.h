@@ -43,9 +43,6 @@ public:
   /// The same of any array of the attributes' association, all components.
   std::vector<double> SampleArray(vtkDataArray* array, const std::array<double, 3>& world) const;
 
-  /// Whether this image draws a world position, border included.
-  bool Contains(const std::array<double, 3>& world) const;
-
   /// The nearest point, or the cell, at a world position.
   std::array<int, 3> FindVoxel(const std::array<double, 3>& world) const;
 
