@@ -65,6 +65,7 @@
 #include "vtkSmartPointer.h"    // For the model
 #include "vtkTFCVolumeModule.h" // For export macro
 
+#include <array>  // For ranges
 #include <memory> // For the implementation
 #include <string> // For errors
 
@@ -237,7 +238,7 @@ private:
   bool UsedCPU = false;
   bool Distributed = false;
   bool HasAutomaticRanges = false;
-  double AutomaticRanges[2][2] = { { 0, 1 }, { 0, 1 } };
+  std::array<std::array<double, 2>, 2> AutomaticRanges = { { { 0, 1 }, { 0, 1 } } };
   std::string LastError;
 };
 
