@@ -166,6 +166,13 @@ void vtkTFCRayCastMapper::SetDistances(double sampleDistance, double unitDistanc
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::SetPixelSize(int size)
+{
+  // Not SetImageSampleDistance(), for the same reason.
+  this->ImageSampleDistance = static_cast<float>(size);
+}
+
+//------------------------------------------------------------------------------
 int vtkTFCRayCastMapper::GetNumberOfTableUploads() const
 {
   return this->Texture->GetNumberOfUploads();
@@ -306,7 +313,7 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
   }
   InstallReplacements(vol->GetShaderProperty(),
     MakeDefinitions(this->Features | this->Tables.FeaturesUsed, this->HasCropped, shaded) +
-      MakeBlending(this->Blending));
+      MakeBlending(this->Blending) + (ren->GetSelector() ? "#define TFC_SELECTION 1\n" : ""));
   this->SetUniforms(vol);
   this->Superclass::GPURender(ren, vol);
   if (shaded)

@@ -96,8 +96,8 @@ public:
   /// World distance between samples and over which the model's opacities hold.
   void SetDistances(double sampleDistance, double unitDistance);
 
-  /// Let VTK coarsen the image and the step to reach the allocated render time.
-  void SetInteractive(bool interactive) { this->AutoAdjustSampleDistances = interactive ? 1 : 0; }
+  /// Draw one pixel for `size` x `size` of the window's, interpolated in between.
+  void SetPixelSize(int size);
 
   /// Uploads of tables so far, for tests.
   int GetNumberOfTableUploads() const;

@@ -67,8 +67,15 @@ std::string vtkTFCSettingsCheck::FindErrorOnCPU(vtkMultiBlockVolumeMapper* mappe
 
 //------------------------------------------------------------------------------
 std::string vtkTFCSettingsCheck::FindOmission(vtkMultiBlockVolumeMapper* mapper, bool onCPU,
-  const std::string& shadingArray)
+  const std::string& shadingArray, int peeledBlocks)
 {
+  if (peeledBlocks > 1)
+  {
+    // vtkDualDepthPeelingPass takes the maximum of all volumes between two layers.
+    return "VTK's depth peeling cannot tell which of the " + std::to_string(peeledBlocks) +
+      " blocks of this volume is in front; where they cover each other the picture is wrong. "
+      "Switch off UseDepthPeelingForVolumes, raise MemoryLimit, or resample to one image.";
+  }
   if (mapper->GetVolumetricScatteringBlending() > 0.0f)
   {
     return "volumetric scattering is not available for a combined transfer function, and is left "

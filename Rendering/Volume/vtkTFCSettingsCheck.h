@@ -24,9 +24,10 @@ std::string FindError(vtkMultiBlockVolumeMapper* mapper, int blocks, bool distri
 /// The same for the CPU, which draws one block with composite blending, in one process.
 std::string FindErrorOnCPU(vtkMultiBlockVolumeMapper* mapper, int blocks, bool distributed);
 
-/// What is left out of the picture: volumetric scattering, and on the CPU the `shadingArray`.
+/// What is left out of the picture: volumetric scattering, and on the CPU the `shadingArray`; or is
+/// wrong in it: the order of `peeledBlocks` blocks that take part in depth peeling.
 std::string FindOmission(vtkMultiBlockVolumeMapper* mapper, bool onCPU,
-  const std::string& shadingArray);
+  const std::string& shadingArray, int peeledBlocks);
 
 }
 

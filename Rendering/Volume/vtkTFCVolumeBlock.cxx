@@ -260,7 +260,7 @@ vtkTFCRayCastMapper::Visibility vtkTFCVolumeBlock::FindVisibility(vtkVolumeMappe
 
 //------------------------------------------------------------------------------
 void vtkTFCVolumeBlock::Render(vtkRenderer* ren, vtkVolume* vol, vtkVolumeMapper* mapper,
-  double sampleDistance, unsigned int features)
+  const Resolution& resolution, unsigned int features)
 {
   this->Caster->SetInputData(this->Packer.GetImage());
   this->Caster->SetScalarMode(
@@ -270,8 +270,9 @@ void vtkTFCVolumeBlock::Render(vtkRenderer* ren, vtkVolume* vol, vtkVolumeMapper
   this->Caster->SetBlending(mapper->GetBlendMode());
   this->Caster->SetMoreAttributes(this->Packer.GetMore());
   this->Caster->SetVisibility(this->FindVisibility(mapper, vol));
-  this->Caster->SetDistances(sampleDistance, vol->GetProperty()->GetScalarOpacityUnitDistance());
-  this->Caster->SetInteractive(ren->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0);
+  this->Caster->SetDistances(resolution.SampleDistance,
+    vol->GetProperty()->GetScalarOpacityUnitDistance());
+  this->Caster->SetPixelSize(resolution.PixelSize);
   this->Caster->Render(ren, vol);
 }
 

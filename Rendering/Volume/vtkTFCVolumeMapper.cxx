@@ -2,19 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCVolumeMapper.h"
 
+#include "vtkTFCBlendBuffer.h"
 #include "vtkTFCBlockSet.h"
 #include "vtkTFCFallbackRenderer.h"
+#include "vtkTFCFrameBudget.h"
 #include "vtkTFCGraphicsSupport.h"
 #include "vtkTFCSettingsCheck.h"
 #include "vtkTFCTransferFunction.h"
 #include "vtkTFCVolumeBlock.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTimerLog.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -23,11 +31,29 @@
 #include <cmath>
 #include <vector>
 
+namespace
+{
+
+// Frames per second from which on a window is being moved. VTK asks a window at rest for 0.0001,
+// ParaView for 0.002.
+constexpr double SlowestMovingRate = 1.0;
+
+//------------------------------------------------------------------------------
+bool HasRenderPass(vtkVolume* vol)
+{
+  vtkInformation* keys = vol->GetPropertyKeys();
+  return keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
+}
+
+}
+
 //------------------------------------------------------------------------------
 class vtkTFCVolumeMapper::Internals
 {
 public:
   vtkTFCBlockSet Blocks;
+  vtkTFCBlendBuffer Buffer;
+  vtkTFCFrameBudget Budget;
   vtkTFCImageBlocks ImagesForCPU;
   vtkTFCFallbackRenderer Fallback;
   vtkRenderWindow* ProbedWindow = nullptr; // only compared
@@ -227,20 +253,44 @@ void vtkTFCVolumeMapper::RenderBlocks(vtkRenderer* ren, vtkVolume* vol)
       distance = std::min(distance, block->GetDefaultSampleDistance());
     }
   }
+  vtkTFCFrameBudget& budget = this->Internal->Budget;
+  const bool moving =
+    !ren->GetSelector() && ren->GetRenderWindow()->GetDesiredUpdateRate() >= SlowestMovingRate;
+  const vtkTFCFrameBudget::Level level =
+    moving ? budget.Choose(vol->GetAllocatedRenderTime()) : vtkTFCFrameBudget::Level();
+  vtkNew<vtkTimerLog> timer;
+  timer->StartTimer();
+
+  // Depth peeling and selection draw into buffers of their own.
+  const bool buffered = order.size() > 1 && !ren->GetSelector() && !HasRenderPass(vol) &&
+    this->Internal->Buffer.Begin(ren);
   for (auto* block : order)
   {
     block->SetJittering(this->UseJittering);
-    block->Render(ren, vol, this, distance, this->Internal->Blocks.GetFeatures());
+    block->Render(ren, vol, this, { level.Step * distance, level.Image },
+      this->Internal->Blocks.GetFeatures());
     if (this->Internal->Blocks.IsStreaming())
     {
       block->ReleaseGraphicsResources(ren->GetRenderWindow());
     }
   }
+  if (buffered)
+  {
+    this->Internal->Buffer.End(ren);
+  }
+  timer->StopTimer();
+  budget.Report(level, timer->GetElapsedTime());
 }
 
 //------------------------------------------------------------------------------
 void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 {
+  vtkHardwareSelector* selector = ren->GetSelector();
+  if (selector && selector->GetFieldAssociation() != vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    // VTK's mapper selects cells only, and would draw its picture among the numbers of points.
+    return;
+  }
   if (this->GetNumberOfInputConnections(0) > 0)
   {
     this->GetInputAlgorithm()->Update();
@@ -257,7 +307,8 @@ void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     }
   }
   const std::string omission = vtkTFCSettingsCheck::FindOmission(this, this->UsedCPU,
-    vol->GetProperty()->GetShade() ? this->ShadingArray : "");
+    vol->GetProperty()->GetShade() ? this->ShadingArray : "",
+    HasRenderPass(vol) ? this->Internal->Blocks.GetNumberOfDrawableBlocks() : 0);
   if (ready && omission != this->Internal->Omission)
   {
     this->Internal->Omission = omission;
@@ -280,6 +331,7 @@ void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 void vtkTFCVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Blocks.ReleaseGraphicsResources(window);
+  this->Internal->Buffer.ReleaseGraphicsResources(window);
   this->Internal->Fallback.ReleaseGraphicsResources(window);
   this->Internal->ProbedWindow = nullptr;
   this->Superclass::ReleaseGraphicsResources(window);

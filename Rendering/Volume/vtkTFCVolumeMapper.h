@@ -38,6 +38,10 @@
  * peeling are two each. Minimum intensity, isosurface and slice are an error: they are about one
  * scalar, which there is none of here.
  *
+ * While the window asks for one frame per second or more, pixels and steps become as coarse as it
+ * takes (vtkTFCFrameBudget); at rest the picture is full again. Several blocks are blended in
+ * floating point (vtkTFCBlendBuffer), 16 bytes a pixel.
+ *
  * Edits of the transfer function upload a small table (vtkTFCShaderTables) and never build a
  * shader; the mapper's modification time does not include the model's. Changing an attribute to one
  * that is not on the GPU packs and uploads the volume again.

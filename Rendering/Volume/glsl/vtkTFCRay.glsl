@@ -116,7 +116,10 @@ bool tfcEndSample()
 {
   g_tfcInterval += 1.0;
   bool behind = !(g_tfcInterval - g_tfcPhase < g_tfcEnd);
-#ifdef TFC_COMPOSITE
+#if defined(TFC_SELECTION)
+  // VTK then takes the voxel of the last sample for what is selected, from this opacity on.
+  return behind || g_fragColor.a > 3.0 / 255.0;
+#elif defined(TFC_COMPOSITE)
   return behind || g_fragColor.a > g_opacityThreshold;
 #else
   return behind;
