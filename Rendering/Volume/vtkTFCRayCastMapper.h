@@ -86,7 +86,7 @@ public:
   /// It must live until the next call.
   void SetShadingValues(vtkFloatArray* values) { this->ShadingValues = values; }
 
-  /// The distances of vtkTFCBrickActivity for the input; before the first frame.
+  /// The vtkTFCBrickDistances for the input; before the first frame.
   void SetBricks(std::vector<unsigned char> distances, const std::array<int, 3>& dimensions,
     int brickSize);
 

@@ -3,6 +3,7 @@
 #include "vtkTFCVolumeBlock.h"
 
 #include "vtkTFCBrickActivity.h"
+#include "vtkTFCBrickDistances.h"
 #include "vtkTFCVisibilityOrder.h"
 
 #include "vtkBoundingBox.h"
@@ -170,7 +171,7 @@ void vtkTFCVolumeBlock::UpdateBricks(const vtkTFCCompiledModel& model, bool skip
     }
     const auto& dimensions = this->Ranges.GetDimensions();
     this->Caster->SetBricks(
-      vtkTFCBrickActivity::FindDistances(
+      vtkTFCBrickDistances::Find(
         vtkTFCBrickActivity::Find(this->Ranges, this->MoreRanges, model, this->Packer.GetStored()),
         dimensions),
       dimensions, this->Ranges.GetBrickSize());
