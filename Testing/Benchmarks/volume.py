@@ -8,8 +8,8 @@ The peer draws the same volume with a 2D transfer function over the same two att
 the same voxels, in the same window, with the same camera and step; it knows no tertiary attribute.
 Both go once around the volume, a frame of one after a frame of the other. 512 x 512 pixels, one
 voxel between samples, no jittering. The last rows compare frames after an edit with plain frames.
-What an edit costs beside its frame is measured in a small window on 512^3 voxels: bricks found anew,
-tables and bricks uploaded. That takes about 10 GB of memory.
+What an edit costs beside its frame is measured in a small window on 512^3 voxels: bricks found
+anew, tables and bricks uploaded. That takes about 10 GB of memory.
 """
 import argparse
 import json
