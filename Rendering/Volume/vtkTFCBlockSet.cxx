@@ -35,7 +35,7 @@ bool vtkTFCBlockSet::FindBlocks(const Settings& settings, vtkOpenGLRenderWindow*
   const vtkIdType voxelBytes = (attributes > 4      ? 32
                                    : attributes > 2 ? 16
                                                     : 8) +
-    (settings.Shaded ? 8 : 0);
+    (settings.HasGradients ? 8 : 0);
   const vtkIdType limit = static_cast<vtkIdType>(settings.MemoryLimit) << 20;
   vtkDataObject* input = settings.Input;
   window->MakeCurrent();
@@ -174,7 +174,7 @@ bool vtkTFCBlockSet::Update(vtkTFCTransferFunction* model, const Settings& setti
   {
     return false;
   }
-  for (size_t i = 0; i < this->Blocks.size() && settings.Shaded; ++i)
+  for (size_t i = 0; i < this->Blocks.size() && settings.HasGradients; ++i)
   {
     if (this->Blocks[i]->IsDrawable())
     {

@@ -37,7 +37,7 @@ public:
     vtkDataObject* Input = nullptr;
     const AxisRanges* AutomaticRanges = nullptr; ///< null: those of the input
     std::string ShadingArray;
-    bool Shaded = false;
+    bool HasGradients = false; ///< of the data, for shading
     bool EmptySpaceSkipping = true;
     int MemoryLimit = 0;
     int LongestTextureSide = 0;

@@ -36,7 +36,7 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-std::string MakeDefinitions(unsigned int features, bool cropping, bool shaded)
+std::string MakeDefinitions(unsigned int features, bool cropping, bool shaded, bool byOpacity)
 {
   const auto define = [](const char* name, int value)
   { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
@@ -57,6 +57,7 @@ std::string MakeDefinitions(unsigned int features, bool cropping, bool shaded)
   }
   text += cropping ? define("TFC_CROPPING", 1) : "";
   text += shaded ? define("TFC_SHADED", 1) : "";
+  text += shaded && byOpacity ? define("TFC_SHADE_BY_OPACITY", 1) : "";
   return text;
 }
 
@@ -71,6 +72,8 @@ std::string MakeBlending(int mode)
       return "#define TFC_ADDITIVE 1\n";
     case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
       return "#define TFC_AVERAGE 1\n";
+    case vtkVolumeMapper::SLICE_BLEND:
+      return "#define TFC_SLICE 1\n";
     default:
       return "#define TFC_COMPOSITE 1\n";
   }
@@ -204,6 +207,10 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
   uniforms->SetUniform3f("in_tfcBoxMin", this->Visible.BoxMin.data());
   uniforms->SetUniform3f("in_tfcBoxMax", this->Visible.BoxMax.data());
   uniforms->SetUniform3f("in_tfcUpperMargin", this->Visible.UpperMargin.data());
+  if (this->Blending == SLICE_BLEND)
+  {
+    uniforms->SetUniform4f("in_tfcSlicePlane", this->Visible.SlicePlane.data());
+  }
   uniforms->SetUniform3f("in_tfcCropMin", this->Visible.CropMin.data());
   uniforms->SetUniform3f("in_tfcCropMax", this->Visible.CropMax.data());
   uniforms->SetUniformi("in_tfcCropFlags", this->Visible.CropFlags);
@@ -265,7 +272,7 @@ bool vtkTFCRayCastMapper::UploadTextures(vtkOpenGLRenderWindow* window, vtkVolum
     return refuse("x 16 bytes for the fifth to eighth attribute",
       "Let regions share their tertiary attributes, or use fewer voxels.");
   }
-  if (!property->GetShade())
+  if (!property->GetShade() || this->ShadeByOpacity)
   {
     this->GradientTexture->ReleaseGraphicsResources(window);
   }
@@ -288,10 +295,11 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
     return;
   }
   const bool shaded = vol->GetProperty()->GetShade() != 0;
+  const bool hasGradients = shaded && !this->ShadeByOpacity;
   this->HasCropped = this->HasCropped || this->Visible.CropFlags >= 0;
   this->Texture->Activate();
   this->BrickTexture->Activate();
-  if (shaded)
+  if (hasGradients)
   {
     this->GradientTexture->Activate();
     vol->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("in_tfcGradients",
@@ -312,11 +320,12 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
       third->GetTextureUnit());
   }
   InstallReplacements(vol->GetShaderProperty(),
-    MakeDefinitions(this->Features | this->Tables.FeaturesUsed, this->HasCropped, shaded) +
+    MakeDefinitions(this->Features | this->Tables.FeaturesUsed, this->HasCropped, shaded,
+      this->ShadeByOpacity) +
       MakeBlending(this->Blending) + (ren->GetSelector() ? "#define TFC_SELECTION 1\n" : ""));
   this->SetUniforms(vol);
   this->Superclass::GPURender(ren, vol);
-  if (shaded)
+  if (hasGradients)
   {
     this->GradientTexture->Deactivate();
   }

@@ -5,11 +5,13 @@
 #include "vtkTFCRayCastMapper.h"
 
 #include "vtkMultiBlockVolumeMapper.h"
+#include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkVolumeProperty.h"
 
 //------------------------------------------------------------------------------
-std::string vtkTFCSettingsCheck::FindError(vtkMultiBlockVolumeMapper* mapper, int blocks,
-  bool distributed)
+std::string vtkTFCSettingsCheck::FindError(vtkMultiBlockVolumeMapper* mapper,
+  vtkVolumeProperty* property, int blocks, bool distributed)
 {
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   if (planes && planes->GetNumberOfItems() > vtkTFCRayCastMapper::MaximumNumberOfClippingPlanes)
@@ -20,13 +22,17 @@ std::string vtkTFCSettingsCheck::FindError(vtkMultiBlockVolumeMapper* mapper, in
   {
     case vtkVolumeMapper::COMPOSITE_BLEND:
       return "";
+    case vtkVolumeMapper::SLICE_BLEND:
+      return vtkPlane::SafeDownCast(property->GetSliceFunction())
+        ? ""
+        : "slice blending needs a vtkPlane as the SliceFunction of the volume's property.";
     case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
     case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
     case vtkVolumeMapper::ADDITIVE_BLEND:
       break;
     default:
-      return "the blend mode must be composite, maximum, average or additive; minimum, isosurface "
-             "and slice show one scalar, and a combined transfer function has several.";
+      return "the blend mode must be composite, maximum, average, additive or slice; minimum and "
+             "isosurface show one scalar, and a combined transfer function has several.";
   }
   if (distributed)
   {

@@ -13,13 +13,16 @@
 #include <string> // For the texts
 
 class vtkMultiBlockVolumeMapper;
+class vtkVolumeProperty;
 
 namespace vtkTFCSettingsCheck
 {
 
 /// Why nothing can be drawn in `blocks` blocks, of a dataset that is `distributed` over processes
-/// or not: more than 16 clipping planes, a blend mode that is not known or needs whole rays.
-std::string FindError(vtkMultiBlockVolumeMapper* mapper, int blocks, bool distributed);
+/// or not: more than 16 clipping planes, a blend mode that is not known, lacks its plane or needs
+/// whole rays.
+std::string FindError(vtkMultiBlockVolumeMapper* mapper, vtkVolumeProperty* property, int blocks,
+  bool distributed);
 
 /// The same for the CPU, which draws one block with composite blending, in one process.
 std::string FindErrorOnCPU(vtkMultiBlockVolumeMapper* mapper, int blocks, bool distributed);

@@ -48,8 +48,8 @@ TextureAxis MakeTextureAxis(int numberOfPoints, bool cellData)
 
 //------------------------------------------------------------------------------
 // Planes given in world coordinates, in texture coordinates of the packed image.
-std::vector<std::array<float, 4>> MakeClippingPlanes(vtkPlaneCollection* planes,
-  vtkImageData* image, vtkMatrix4x4* volumeMatrix, const TextureAxis axes[3])
+std::vector<std::array<float, 4>> MakeTexturePlanes(vtkPlaneCollection* planes, vtkImageData* image,
+  vtkMatrix4x4* volumeMatrix, const TextureAxis axes[3])
 {
   vtkNew<vtkMatrix4x4> textureToIndex;
   for (int axis = 0; axis < 3; ++axis)
@@ -254,7 +254,15 @@ vtkTFCRayCastMapper::Visibility vtkTFCVolumeBlock::FindVisibility(vtkVolumeMappe
   {
     vtkNew<vtkMatrix4x4> volumeMatrix;
     vol->GetModelToWorldMatrix(volumeMatrix);
-    visibility.ClippingPlanes = MakeClippingPlanes(planes, image, volumeMatrix, axes);
+    visibility.ClippingPlanes = MakeTexturePlanes(planes, image, volumeMatrix, axes);
+  }
+  if (mapper->GetBlendMode() == vtkVolumeMapper::SLICE_BLEND)
+  {
+    vtkNew<vtkPlaneCollection> planes;
+    planes->AddItem(vtkPlane::SafeDownCast(vol->GetProperty()->GetSliceFunction()));
+    vtkNew<vtkMatrix4x4> volumeMatrix;
+    vol->GetModelToWorldMatrix(volumeMatrix);
+    visibility.SlicePlane = MakeTexturePlanes(planes, image, volumeMatrix, axes).front();
   }
   return visibility;
 }

@@ -55,6 +55,9 @@ public:
   void UpdateShading(const vtkTFCImageBlocks::Block& block, const std::string& array,
     std::string& error);
 
+  /// Shade by the gradient of the classified opacity; builds a shader when it changes.
+  void SetShadeByOpacity(bool byOpacity) { this->Caster->SetShadeByOpacity(byOpacity); }
+
   /// Whether pieces of rays begin at random; builds a shader when it changes.
   void SetJittering(bool jittering) { this->Caster->SetUseJittering(jittering); }
 

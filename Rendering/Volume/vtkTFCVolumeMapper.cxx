@@ -216,7 +216,7 @@ bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& 
   settings.Input = this->GetInputDataObject(0, 0);
   settings.AutomaticRanges = this->HasAutomaticRanges ? &this->AutomaticRanges : nullptr;
   settings.ShadingArray = this->ShadingArray;
-  settings.Shaded = vol->GetProperty()->GetShade() != 0;
+  settings.HasGradients = vol->GetProperty()->GetShade() && !this->ShadeByOpacity;
   settings.EmptySpaceSkipping = this->EmptySpaceSkipping;
   settings.MemoryLimit = this->MemoryLimit;
   settings.LongestTextureSide = this->LongestTextureSide;
@@ -226,8 +226,8 @@ bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& 
   {
     return false;
   }
-  const std::string unsupported =
-    vtkTFCSettingsCheck::FindError(this, blocks.GetNumberOfDrawableBlocks(), this->Distributed);
+  const std::string unsupported = vtkTFCSettingsCheck::FindError(this, vol->GetProperty(),
+    blocks.GetNumberOfDrawableBlocks(), this->Distributed);
   if (!unsupported.empty())
   {
     error = unsupported;
@@ -267,6 +267,7 @@ void vtkTFCVolumeMapper::RenderBlocks(vtkRenderer* ren, vtkVolume* vol)
   for (auto* block : order)
   {
     block->SetJittering(this->UseJittering);
+    block->SetShadeByOpacity(this->ShadeByOpacity);
     block->Render(ren, vol, this, { level.Step * distance, level.Image },
       this->Internal->Blocks.GetFeatures());
     if (this->Internal->Blocks.IsStreaming())
@@ -307,7 +308,7 @@ void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     }
   }
   const std::string omission = vtkTFCSettingsCheck::FindOmission(this, this->UsedCPU,
-    vol->GetProperty()->GetShade() ? this->ShadingArray : "",
+    vol->GetProperty()->GetShade() && !this->ShadeByOpacity ? this->ShadingArray : "",
     HasRenderPass(vol) ? this->Internal->Blocks.GetNumberOfDrawableBlocks() : 0);
   if (ready && omission != this->Internal->Omission)
   {
@@ -347,6 +348,7 @@ void vtkTFCVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LongestTextureSide: " << this->LongestTextureSide << "\n";
   os << indent << "EmptySpaceSkipping: " << this->EmptySpaceSkipping << "\n";
   os << indent << "ShadingArray: " << this->ShadingArray << "\n";
+  os << indent << "ShadeByOpacity: " << this->ShadeByOpacity << "\n";
   os << indent << "UseJittering: " << this->UseJittering << "\n";
   os << indent << "Renderer: " << this->Renderer << "\n";
   os << indent << "UsedCPU: " << this->UsedCPU << "\n";
