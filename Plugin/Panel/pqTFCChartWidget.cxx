@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTFCChartWidget.h"
 
+#include "vtkContextMouseEvent.h"
 #include "vtkContextScene.h"
 #include "vtkContextView.h"
 #include "vtkEventQtSlotConnect.h"
@@ -179,6 +180,11 @@ bool pqTFCChartWidget::event(QEvent* e)
       e->accept();
       return true;
     }
+  }
+  if (e->type() == QEvent::Leave)
+  {
+    // VTK's scene does not tell its items that the pointer left the window.
+    this->Chart->MouseLeaveEvent(vtkContextMouseEvent());
   }
   return this->Superclass::event(e);
 }

@@ -15,14 +15,12 @@
 #include <QDockWidget>
 #include <QString>
 
-class QAction;
 class QLabel;
-class QMenu;
-class QToolBar;
 class pqTFCAdvice;
 class pqTFCAxisBar;
 class pqTFCChartWidget;
 class pqTFCDocument;
+class pqTFCHighlight;
 class pqTFCMessageBar;
 class pqTFCPresets;
 class pqTFCProbe;
@@ -43,6 +41,7 @@ class pqTFCPanel : public QDockWidget
   Q_PROPERTY(int voxelsInRegion READ voxelsInRegion)
   Q_PROPERTY(double millisecondsPerEvent READ millisecondsPerEvent)
   Q_PROPERTY(QString probe READ probe)
+  Q_PROPERTY(int highlighted READ highlighted)
 
 public:
   pqTFCPanel(QWidget* parent = nullptr);
@@ -62,8 +61,10 @@ public:
   /// What the last click into the view found; empty while the probe is off.
   QString probe() const;
 
+  /// Id of the region that stands out in the view, 0 for none.
+  int highlighted() const;
+
 protected:
-  void changeEvent(QEvent* event) override;
   /// Transfer function files can be dropped anywhere on the panel.
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -73,13 +74,11 @@ private Q_SLOTS:
   void onChanged(bool live);
   void onHistograms();
   void onHover();
+  void highlightHovered();
 
 private:
   Q_DISABLE_COPY(pqTFCPanel)
 
-  QToolBar* makeTools();
-  QMenu* makeHistogramMenu();
-  void updateIcons();
   void updateChart();
 
   pqTFCDocument* Document;
@@ -91,10 +90,9 @@ private:
   QLabel* Status;
   pqTFCPresets* Presets;
   pqTFCProbe* Probe;
-  QList<QAction*> Tools;
-  QList<QAction*> ReadyActions; ///< need something to edit
-  QStringList States;           ///< in the order of stateNumber()
-  QString EditLabel;            ///< of the edit that goes on in the chart
+  pqTFCHighlight* Highlight;
+  QStringList States; ///< in the order of stateNumber()
+  QString EditLabel;  ///< of the edit that goes on in the chart
 };
 
 #endif
