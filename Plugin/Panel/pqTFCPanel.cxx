@@ -10,6 +10,7 @@
 #include "pqTFCMessageBar.h"
 #include "pqTFCPresets.h"
 #include "pqTFCProbe.h"
+#include "pqTFCProbeMark.h"
 #include "pqTFCProposal.h"
 #include "pqTFCRegionForm.h"
 #include "pqTFCRegionList.h"
@@ -55,6 +56,7 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   auto* form = new pqTFCRegionForm(this->Document, contents);
   this->Tertiary = new pqTFCTertiaryEditor(this->Document, this->Advice, contents);
 
+  this->Mark = new pqTFCProbeMark(this->Document, this->Probe, this->Tertiary->opacityWidget());
   auto* tools = new pqTFCToolBar(this->Document, this->Chart, contents);
   tools->addHighlight(this->Highlight);
   tools->addComputeMenu();
@@ -225,6 +227,15 @@ double pqTFCPanel::millisecondsPerEvent() const
 QString pqTFCPanel::probe() const
 {
   return this->Probe->regions();
+}
+
+//-----------------------------------------------------------------------------
+QString pqTFCPanel::probedTertiary() const
+{
+  return std::isnan(this->Mark->value()) ? QString()
+                                         : QString("%1 at %2")
+                                             .arg(this->Mark->value(), 0, 'f', 2)
+                                             .arg(this->Mark->position(), 0, 'f', 1);
 }
 
 //-----------------------------------------------------------------------------

@@ -24,6 +24,7 @@ class pqTFCHighlight;
 class pqTFCMessageBar;
 class pqTFCPresets;
 class pqTFCProbe;
+class pqTFCProbeMark;
 class pqTFCTertiaryEditor;
 
 class pqTFCPanel : public QDockWidget
@@ -41,6 +42,7 @@ class pqTFCPanel : public QDockWidget
   Q_PROPERTY(int voxelsInRegion READ voxelsInRegion)
   Q_PROPERTY(double millisecondsPerEvent READ millisecondsPerEvent)
   Q_PROPERTY(QString probe READ probe)
+  Q_PROPERTY(QString probedTertiary READ probedTertiary)
   Q_PROPERTY(int highlighted READ highlighted)
 
 public:
@@ -60,6 +62,9 @@ public:
 
   /// What the last click into the view found; empty while the probe is off.
   QString probe() const;
+
+  /// Value and place of the mark over the 1D function, 0.0 to 1.0; empty while there is none.
+  QString probedTertiary() const;
 
   /// Id of the region that stands out in the view, 0 for none.
   int highlighted() const;
@@ -90,6 +95,7 @@ private:
   QLabel* Status;
   pqTFCPresets* Presets;
   pqTFCProbe* Probe;
+  pqTFCProbeMark* Mark;
   pqTFCHighlight* Highlight;
   QStringList States; ///< in the order of stateNumber()
   QString EditLabel;  ///< of the edit that goes on in the chart
