@@ -3,6 +3,7 @@
 #include "vtkTFCVolumeRepresentation.h"
 
 #include "vtkTFCAttributeReader.h"
+#include "vtkTFCCompiledModel.h"
 #include "vtkTFCTransferFunction.h"
 #include "vtkTFCVolumeMapper.h"
 
@@ -88,6 +89,12 @@ void vtkTFCVolumeRepresentation::SetTransferFunction(const char* state)
 {
   // Not MarkModified(): the data this representation delivers does not depend on the model.
   this->Model->SetState(state);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetHighlightedRegion(int id)
+{
+  this->Model->SetHighlightedRegion(id);
 }
 
 //------------------------------------------------------------------------------
@@ -213,20 +220,23 @@ void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
     this->Model->HasAxisRange(vtkTFCTransferFunction::Secondary))
   {
     this->GetMapper()->ClearAutomaticRanges();
+    this->RangedAxes.clear();
     return;
   }
-  const vtkMTimeType newest = std::max(this->Model->GetMTime(), this->DataTime.GetMTime());
-  if (this->RangesTime == newest || this->Model->GetNumberOfRegions() == 0)
+  vtkTFCCompiledModel model = this->Model->Compile();
+  model.Attributes.resize(2);
+  // An edit of a region must not cost a pass over the data.
+  if ((this->RangesTime == this->DataTime.GetMTime() && this->RangedAxes == model.Attributes) ||
+    this->Model->GetNumberOfRegions() == 0)
   {
     return;
   }
-  this->RangesTime = newest;
+  this->RangesTime = this->DataTime.GetMTime();
+  this->RangedAxes = model.Attributes;
 
   // Minima as they are, maxima negated: one reduction.
   double local[4];
   std::fill(local, local + 4, std::numeric_limits<double>::infinity());
-  vtkTFCCompiledModel model = this->Model->Compile();
-  model.Attributes.resize(2);
   for (const auto& image : CollectLattices(this->Cache))
   {
     vtkTFCAttributeReader reader;

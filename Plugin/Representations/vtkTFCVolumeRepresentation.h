@@ -19,8 +19,11 @@
 #include "vtkNew.h"                      // For the model
 #include "vtkTFCRepresentationsModule.h" // For export macro
 
+#include <vector> // For attributes
+
 class vtkTFCTransferFunction;
 class vtkTFCVolumeMapper;
+struct vtkTFCAttribute;
 
 class VTKTFCREPRESENTATIONS_EXPORT vtkTFCVolumeRepresentation : public vtkImageVolumeRepresentation
 {
@@ -34,6 +37,12 @@ public:
    * in force. Default: empty, which draws nothing.
    */
   void SetTransferFunction(const char* state);
+
+  /**
+   * Id of a region that stands out because the others are nearly transparent, 0 for none, see
+   * vtkTFCTransferFunction::SetHighlightedRegion(). Default: 0.
+   */
+  void SetHighlightedRegion(int id);
 
   /**
    * World distance between samples along a ray; 0: half the mean spacing. Default: 0.
@@ -112,7 +121,8 @@ private:
   int RayBlending = 0;
   int SharedBlendMode = 0;
   vtkSmartPointer<vtkImplicitFunction> SlicePlane;
-  vtkMTimeType RangesTime = 0;
+  vtkMTimeType RangesTime = 0;             ///< of the data
+  std::vector<vtkTFCAttribute> RangedAxes; ///< whose automatic ranges the mapper has
   vtkTimeStamp DataTime;
 };
 
