@@ -50,6 +50,7 @@ std::string MakeDefinitions(unsigned int features, bool cropping, bool shaded, b
     { vtkTFCShaderTables::TertiaryColors, "TFC_TERTIARY_COLORS" },
     { vtkTFCShaderTables::Patches, "TFC_PATCHES" },
     { vtkTFCShaderTables::MoreAttributes, "TFC_MORE_ATTRIBUTES" },
+    { vtkTFCShaderTables::SeveralRegions, "TFC_SEVERAL_REGIONS" },
   };
   for (const auto& [feature, name] : names)
   {
@@ -199,6 +200,7 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
   uniforms->SetUniformi("in_tfcBricks", this->BrickTexture->GetTextureUnit());
   uniforms->SetUniformf("in_tfcBrickSize", static_cast<float>(this->BrickSize));
   uniforms->SetUniformi("in_tfcGridSize", this->Tables.GridSize);
+  uniforms->SetUniformi("in_tfcFirstRecord", this->Tables.FirstRecord);
   uniforms->SetUniform2f("in_tfcAxisScale", this->Tables.AxisScale.data());
   uniforms->SetUniform2f("in_tfcAxisBias", this->Tables.AxisBias.data());
   uniforms->SetUniformi("in_tfcBlendOver", this->Tables.BlendOver ? 1 : 0);
