@@ -21,6 +21,8 @@
 
 #include <vector> // For attributes
 
+class vtkContextActor;
+class vtkTFCLegendItem;
 class vtkTFCTransferFunction;
 class vtkTFCVolumeMapper;
 struct vtkTFCAttribute;
@@ -98,6 +100,23 @@ public:
    */
   void SetCroppingRegionFlags(int flags);
 
+  ///@{
+  /**
+   * A legend in the overlay of the view while the representation is visible: the domain with its
+   * regions and their tertiary functions. See vtkTFCLegendItem for location, position and size (as
+   * fractions of the view), text colour and font size (points). On the client of a server, axes
+   * with automatic ranges have no numbers. Default: not shown.
+   */
+  void SetLegendVisibility(bool visible);
+  void SetLegendLocation(int location);
+  void SetLegendPosition(double x, double y);
+  void SetLegendSize(double width, double height);
+  void SetLegendTextColor(double red, double green, double blue);
+  void SetLegendFontSize(int points);
+  ///@}
+
+  void SetVisibility(bool visible) override;
+
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo,
     vtkInformation* outInfo) override;
 
@@ -105,6 +124,9 @@ protected:
   vtkTFCVolumeRepresentation();
   ~vtkTFCVolumeRepresentation() override;
 
+  void UpdateLegendVisibility();
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void UpdateMapperParameters() override;
@@ -124,6 +146,9 @@ private:
   vtkMTimeType RangesTime = 0;             ///< of the data
   std::vector<vtkTFCAttribute> RangedAxes; ///< whose automatic ranges the mapper has
   vtkTimeStamp DataTime;
+  vtkNew<vtkTFCLegendItem> Legend;
+  vtkNew<vtkContextActor> LegendActor;
+  bool LegendVisibility = false;
 };
 
 #endif
