@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTFCChartWidget.h"
 
+#include "vtkContextMouseEvent.h"
 #include "vtkContextScene.h"
 #include "vtkContextView.h"
 #include "vtkEventQtSlotConnect.h"
@@ -28,6 +29,10 @@ QString KeyName(const QKeyEvent* event)
       return "Up";
     case Qt::Key_Down:
       return "Down";
+    case Qt::Key_PageUp:
+      return "PageUp";
+    case Qt::Key_PageDown:
+      return "PageDown";
     case Qt::Key_Delete:
       return "Delete";
     case Qt::Key_Backspace:
@@ -149,7 +154,6 @@ void pqTFCChartWidget::renderNow()
 //-----------------------------------------------------------------------------
 void pqTFCChartWidget::keyPressEvent(QKeyEvent* e)
 {
-  // Not to VTK's interactor: its own keys (3 for stereo, e for exit) would act as well.
   const QString key = KeyName(e);
   const bool shift = e->modifiers() & Qt::ShiftModifier;
   const bool control = e->modifiers() & Qt::ControlModifier;
@@ -179,6 +183,17 @@ bool pqTFCChartWidget::event(QEvent* e)
       e->accept();
       return true;
     }
+  }
+  if (e->type() == QEvent::KeyPress || e->type() == QEvent::KeyRelease)
+  {
+    // Past VTK's widget: through its interactor the chart would get the key a second time, and
+    // VTK's own keys (3 for stereo, e for exit) would act as well.
+    return QOpenGLWidget::event(e);
+  }
+  if (e->type() == QEvent::Leave)
+  {
+    // VTK's scene does not tell its items that the pointer left the window.
+    this->Chart->MouseLeaveEvent(vtkContextMouseEvent());
   }
   return this->Superclass::event(e);
 }

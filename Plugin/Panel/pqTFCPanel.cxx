@@ -3,20 +3,19 @@
 #include "pqTFCPanel.h"
 
 #include "pqTFCAdvice.h"
-#include "pqTFCAdviceDialog.h"
 #include "pqTFCAxisBar.h"
 #include "pqTFCChartWidget.h"
-#include "pqTFCComputeMenu.h"
 #include "pqTFCDocument.h"
-#include "pqTFCIcons.h"
-#include "pqTFCKeysPage.h"
+#include "pqTFCHighlight.h"
 #include "pqTFCMessageBar.h"
 #include "pqTFCPresets.h"
 #include "pqTFCProbe.h"
+#include "pqTFCProbeMark.h"
 #include "pqTFCProposal.h"
 #include "pqTFCRegionForm.h"
 #include "pqTFCRegionList.h"
 #include "pqTFCTertiaryEditor.h"
+#include "pqTFCToolBar.h"
 #include "vtkTFCDomainChart.h"
 #include "vtkTFCHistogramItem.h"
 #include "vtkTFCRegion.h"
@@ -24,17 +23,11 @@
 #include "vtkTFCSparseHistogram.h"
 #include "vtkTFCTransferFunction.h"
 
-#include <QAction>
-#include <QActionGroup>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QEvent>
 #include <QLabel>
-#include <QMenu>
 #include <QMimeData>
 #include <QSplitter>
-#include <QToolBar>
-#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -46,6 +39,7 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   , Document(new pqTFCDocument(this))
   , Advice(new pqTFCAdvice(this->Document, this))
   , Probe(new pqTFCProbe(this->Document, this->Advice, this))
+  , Highlight(new pqTFCHighlight(this->Document, this))
 {
   auto* contents = new QWidget(this);
   contents->setObjectName("contents");
@@ -62,13 +56,21 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   auto* form = new pqTFCRegionForm(this->Document, contents);
   this->Tertiary = new pqTFCTertiaryEditor(this->Document, this->Advice, contents);
 
+  this->Mark = new pqTFCProbeMark(this->Document, this->Probe, this->Tertiary->opacityWidget());
+  auto* tools = new pqTFCToolBar(this->Document, this->Chart, contents);
+  tools->addHighlight(this->Highlight);
+  tools->addComputeMenu();
+  tools->addAdvice(this->Advice);
+  tools->addProbe(this->Probe);
+  this->Presets = tools->addFileMenu();
+
   // Above the chart and what belongs to it, below the regions; the user decides on the parts.
   auto* top = new QWidget(contents);
   top->setObjectName("ChartPart");
   auto* topLayout = new QVBoxLayout(top);
   topLayout->setContentsMargins(0, 0, 0, 0);
   topLayout->setSpacing(2);
-  topLayout->addWidget(this->makeTools());
+  topLayout->addWidget(tools);
   topLayout->addWidget(this->Chart, 1);
   topLayout->addWidget(this->Status);
   topLayout->addWidget(this->Axes);
@@ -94,7 +96,6 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   this->setAcceptDrops(true);
 
   this->Chart->chart()->SetTransferFunction(this->Document->model());
-  this->updateIcons();
 
   vtkTFCDomainChart* chart = this->Chart->chart();
   QObject::connect(list, &pqTFCRegionList::duplicate, this,
@@ -116,8 +117,10 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
     [this, chart]() { this->Document->setSelection(chart->GetSelection()); });
   QObject::connect(this->Chart, &pqTFCChartWidget::hovered, this, &pqTFCPanel::onHover);
   QObject::connect(this->Chart, &pqTFCChartWidget::said, this->Document, &pqTFCDocument::say);
-  QObject::connect(this->Chart, &pqTFCChartWidget::toolChanged, this,
-    [this]() { this->Tools[this->Chart->chart()->GetTool()]->setChecked(true); });
+  QObject::connect(tools, &pqTFCToolBar::useDataRanges, this->Axes, &pqTFCAxisBar::useDataRanges);
+  QObject::connect(this->Chart, &pqTFCChartWidget::hovered, this, &pqTFCPanel::highlightHovered);
+  QObject::connect(list, &pqTFCRegionList::hovered, this->Highlight, &pqTFCHighlight::hover);
+  QObject::connect(this, &QDockWidget::visibilityChanged, this->Highlight, &pqTFCHighlight::clear);
   QObject::connect(this->Document, &pqTFCDocument::selectionChanged, this,
     [this, chart]() { chart->SetSelection(this->Document->selection()); });
   QObject::connect(this->Document, &pqTFCDocument::targetChanged, this,
@@ -144,144 +147,6 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
 
 //-----------------------------------------------------------------------------
 pqTFCPanel::~pqTFCPanel() = default;
-
-//-----------------------------------------------------------------------------
-QToolBar* pqTFCPanel::makeTools()
-{
-  auto* bar = new QToolBar(this);
-  bar->setObjectName("Tools");
-  const int size = this->fontMetrics().height() + 4;
-  bar->setIconSize(QSize(size, size));
-  auto* group = new QActionGroup(this);
-  const QStringList names = { tr("Select"), tr("Ellipse"), tr("Rectangle"), tr("Triangle"),
-    tr("Polygon"), tr("Lasso") };
-  const QStringList keys = { "V", "E", "R", "T", "P", "L" };
-  const QStringList what = { tr("Select and edit regions"), tr("Draw an ellipse"),
-    tr("Draw a rectangle"), tr("Draw a triangle"), tr("Click the corners of a polygon"),
-    tr("Draw around what the region shall hold") };
-  for (int tool = 0; tool < names.size(); ++tool)
-  {
-    QAction* action = bar->addAction(names[tool]);
-    action->setObjectName(names[tool]);
-    action->setCheckable(true);
-    action->setChecked(tool == 0);
-    action->setToolTip(tr("%1 (key %2 in the chart)").arg(what[tool], keys[tool]));
-    group->addAction(action);
-    this->Tools << action;
-    QObject::connect(action, &QAction::triggered, this,
-      [this, tool]()
-      {
-        this->Chart->chart()->SetTool(tool);
-        this->Chart->setFocus();
-      });
-  }
-  bar->addSeparator();
-  QAction* fit = bar->addAction(tr("Fit"));
-  fit->setObjectName("Fit");
-  fit->setToolTip(tr("Show all of the axes (key 0)"));
-  QObject::connect(fit, &QAction::triggered, this, [this]() { this->Chart->chart()->FitAll(); });
-  auto* view = new QToolButton(bar);
-  view->setObjectName("ViewMenu");
-  view->setText(tr("View"));
-  view->setPopupMode(QToolButton::InstantPopup);
-  view->setMenu(this->makeHistogramMenu());
-  bar->addWidget(view);
-  auto* compute = new QToolButton(bar);
-  compute->setObjectName("ComputeMenu");
-  compute->setText(tr("Compute"));
-  compute->setToolTip(
-    tr("Attributes of the primary axis, to be used as axes or tertiary attributes"));
-  compute->setPopupMode(QToolButton::InstantPopup);
-  compute->setMenu(new pqTFCComputeMenu(this->Document, compute));
-  bar->addWidget(compute);
-  QAction* advice = bar->addAction(tr("Advice"));
-  advice->setObjectName("Advice");
-  advice->setToolTip(tr("Axes, tertiary attributes and splits that the data suggest"));
-  QObject::connect(advice, &QAction::triggered, this,
-    [this]()
-    {
-      auto* dialog = new pqTFCAdviceDialog(this->Document, this->Advice, this);
-      dialog->setAttribute(Qt::WA_DeleteOnClose);
-      dialog->show();
-    });
-  this->ReadyActions << advice;
-  QAction* probe = bar->addAction(tr("Probe"));
-  probe->setObjectName("Probe");
-  probe->setCheckable(true);
-  probe->setToolTip(tr("Click into the 3D view: what is visible there, which regions make it so"));
-  QObject::connect(probe, &QAction::toggled, this->Probe, &pqTFCProbe::setActive);
-  this->ReadyActions << probe;
-  auto* file = new QToolButton(bar);
-  file->setObjectName("FileMenu");
-  file->setText(tr("File"));
-  file->setPopupMode(QToolButton::InstantPopup);
-  this->Presets = new pqTFCPresets(this->Document, file);
-  file->setMenu(this->Presets);
-  bar->addWidget(file);
-  return bar;
-}
-
-//-----------------------------------------------------------------------------
-QMenu* pqTFCPanel::makeHistogramMenu()
-{
-  auto* menu = new QMenu(this);
-  menu->setObjectName("ViewMenu");
-  vtkTFCDomainChart* chart = this->Chart->chart();
-  const auto addChoice = [&](const QString& title, const QStringList& names, int current,
-                           const std::function<void(int)>& set)
-  {
-    menu->addSection(title);
-    auto* group = new QActionGroup(menu);
-    for (int i = 0; i < names.size(); ++i)
-    {
-      QAction* action = menu->addAction(names[i]);
-      action->setObjectName(names[i]);
-      action->setCheckable(true);
-      action->setChecked(i == current);
-      group->addAction(action);
-      QObject::connect(action, &QAction::triggered, this,
-        [this, set, i]()
-        {
-          set(i);
-          this->Chart->renderLater();
-        });
-    }
-  };
-  addChoice(tr("Scale of the histogram"), { tr("Linear"), tr("Logarithmic"), tr("Percentile 95") },
-    chart->GetHistogram()->GetScale(), [chart](int i) { chart->GetHistogram()->SetScale(i); });
-  addChoice(tr("Colours of the histogram"), { tr("Gray"), tr("Viridis"), tr("Inferno") },
-    chart->GetHistogram()->GetColorMap(),
-    [chart](int i) { chart->GetHistogram()->SetColorMap(i); });
-  menu->addSeparator();
-  QObject::connect(menu->addAction(tr("Fit to regions")), &QAction::triggered, this,
-    [chart]() { chart->FitRegions(!chart->GetSelection().empty()); });
-  QObject::connect(menu->addAction(tr("Ranges of the data")), &QAction::triggered, this,
-    [this]() { this->Axes->useDataRanges(); });
-  menu->addSeparator();
-  QAction* keys = menu->addAction(tr("Keys and Mouse ..."));
-  keys->setObjectName("Keys");
-  QObject::connect(keys, &QAction::triggered, this, [this]() { pqTFCShowKeysPage(this); });
-  return menu;
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCPanel::updateIcons()
-{
-  for (int tool = 0; tool < this->Tools.size(); ++tool)
-  {
-    this->Tools[tool]->setIcon(pqTFCToolIcon(tool, this->palette()));
-  }
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCPanel::changeEvent(QEvent* e)
-{
-  this->Superclass::changeEvent(e);
-  if (e->type() == QEvent::PaletteChange)
-  {
-    this->updateIcons();
-  }
-}
 
 //-----------------------------------------------------------------------------
 void pqTFCPanel::dragEnterEvent(QDragEnterEvent* e)
@@ -365,6 +230,33 @@ QString pqTFCPanel::probe() const
 }
 
 //-----------------------------------------------------------------------------
+QString pqTFCPanel::probedTertiary() const
+{
+  return std::isnan(this->Mark->value()) ? QString()
+                                         : QString("%1 at %2")
+                                             .arg(this->Mark->value(), 0, 'f', 2)
+                                             .arg(this->Mark->position(), 0, 'f', 1);
+}
+
+//-----------------------------------------------------------------------------
+int pqTFCPanel::highlighted() const
+{
+  return this->Highlight->region();
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCPanel::highlightHovered()
+{
+  // Not while drawing over what is there.
+  double data[2];
+  double count;
+  int region = 0;
+  const bool selecting = this->Chart->chart()->GetTool() == vtkTFCDomainChart::Select;
+  const bool inside = this->Chart->chart()->GetHover(data, count, region);
+  this->Highlight->hover(selecting && inside ? region : 0);
+}
+
+//-----------------------------------------------------------------------------
 void pqTFCPanel::onTargetChanged()
 {
   this->Chart->chart()->FitAll();
@@ -374,18 +266,9 @@ void pqTFCPanel::onTargetChanged()
 //-----------------------------------------------------------------------------
 void pqTFCPanel::onChanged(bool live)
 {
-  const bool ready = this->Document->isReady();
-  for (QAction* action : this->Tools)
-  {
-    action->setEnabled(ready && this->Document->model()->HasAxes());
-  }
   if (!live)
   {
     this->updateChart();
-  }
-  for (QAction* action : this->ReadyActions)
-  {
-    action->setEnabled(ready);
   }
   this->Chart->renderLater();
 }

@@ -15,17 +15,16 @@
 #include <QDockWidget>
 #include <QString>
 
-class QAction;
 class QLabel;
-class QMenu;
-class QToolBar;
 class pqTFCAdvice;
 class pqTFCAxisBar;
 class pqTFCChartWidget;
 class pqTFCDocument;
+class pqTFCHighlight;
 class pqTFCMessageBar;
 class pqTFCPresets;
 class pqTFCProbe;
+class pqTFCProbeMark;
 class pqTFCTertiaryEditor;
 
 class pqTFCPanel : public QDockWidget
@@ -43,6 +42,8 @@ class pqTFCPanel : public QDockWidget
   Q_PROPERTY(int voxelsInRegion READ voxelsInRegion)
   Q_PROPERTY(double millisecondsPerEvent READ millisecondsPerEvent)
   Q_PROPERTY(QString probe READ probe)
+  Q_PROPERTY(QString probedTertiary READ probedTertiary)
+  Q_PROPERTY(int highlighted READ highlighted)
 
 public:
   pqTFCPanel(QWidget* parent = nullptr);
@@ -62,8 +63,13 @@ public:
   /// What the last click into the view found; empty while the probe is off.
   QString probe() const;
 
+  /// Value and place of the mark over the 1D function, 0.0 to 1.0; empty while there is none.
+  QString probedTertiary() const;
+
+  /// Id of the region that stands out in the view, 0 for none.
+  int highlighted() const;
+
 protected:
-  void changeEvent(QEvent* event) override;
   /// Transfer function files can be dropped anywhere on the panel.
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -73,13 +79,11 @@ private Q_SLOTS:
   void onChanged(bool live);
   void onHistograms();
   void onHover();
+  void highlightHovered();
 
 private:
   Q_DISABLE_COPY(pqTFCPanel)
 
-  QToolBar* makeTools();
-  QMenu* makeHistogramMenu();
-  void updateIcons();
   void updateChart();
 
   pqTFCDocument* Document;
@@ -91,10 +95,10 @@ private:
   QLabel* Status;
   pqTFCPresets* Presets;
   pqTFCProbe* Probe;
-  QList<QAction*> Tools;
-  QList<QAction*> ReadyActions; ///< need something to edit
-  QStringList States;           ///< in the order of stateNumber()
-  QString EditLabel;            ///< of the edit that goes on in the chart
+  pqTFCProbeMark* Mark;
+  pqTFCHighlight* Highlight;
+  QStringList States; ///< in the order of stateNumber()
+  QString EditLabel;  ///< of the edit that goes on in the chart
 };
 
 #endif

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace
@@ -90,7 +91,8 @@ pqTFCProbe::pqTFCProbe(pqTFCDocument* document, pqTFCAdvice* advice, QObject* pa
   , Document(document)
   , Advice(advice)
 {
-  QObject::connect(document, &pqTFCDocument::targetChanged, this, &pqTFCProbe::watch);
+  // What was found in other data says nothing about these.
+  QObject::connect(document, &pqTFCDocument::targetChanged, this, &pqTFCProbe::restart);
 }
 
 //-----------------------------------------------------------------------------
@@ -100,12 +102,46 @@ QString pqTFCProbe::text() const
 }
 
 //-----------------------------------------------------------------------------
+double pqTFCProbe::value(const std::string& array, int component) const
+{
+  if (!this->Location)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  // The table has a column for the array, or one for each of its components.
+  const double scalar = this->Location->GetNumber(array, 0);
+  if (!std::isnan(scalar))
+  {
+    return scalar;
+  }
+  const auto get = [&](int c)
+  { return this->Location->GetNumber(array + "_" + std::to_string(c), 0); };
+  if (component >= 0)
+  {
+    return get(component);
+  }
+  double squares = get(0) * get(0);
+  for (int c = 1; !std::isnan(get(c)); ++c)
+  {
+    squares += get(c) * get(c);
+  }
+  return std::sqrt(squares);
+}
+
+//-----------------------------------------------------------------------------
 void pqTFCProbe::setActive(bool active)
 {
   this->Active = active;
+  this->restart();
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCProbe::restart()
+{
   this->watch();
-  this->Regions = active ? tr("Click into the 3D view.") : QString();
+  this->Regions = this->Active ? tr("Click into the 3D view.") : QString();
   this->Values.clear();
+  this->Location = nullptr;
   Q_EMIT this->lost();
   Q_EMIT this->told();
 }
@@ -182,6 +218,7 @@ void pqTFCProbe::pick(double x, double y)
   {
     this->Regions = tr("Nothing of the volume is visible there.");
     this->Values.clear();
+    this->Location = nullptr;
     Q_EMIT this->lost();
     Q_EMIT this->told();
     return;
@@ -206,6 +243,7 @@ void pqTFCProbe::pick(double x, double y)
                  .arg(percent);
     }
   }
+  this->Location = location;
   const int largest = static_cast<int>(shares->GetNumber("id", order[0].second));
   this->Document->setSelection({ largest });
 

@@ -17,9 +17,14 @@
 #include <QPointer>
 #include <QString>
 
+#include "vtkSmartPointer.h"
+
+#include <string>
+
 class QWidget;
 class pqTFCAdvice;
 class pqTFCDocument;
+class vtkTFCTableInformation;
 
 class pqTFCProbe : public QObject
 {
@@ -34,6 +39,9 @@ public:
   /// empty while the probe is off. text() has the values of the axes as well.
   const QString& regions() const { return this->Regions; }
   QString text() const;
+
+  /// The attribute at the place that the last click found; NaN when there is none.
+  double value(const std::string& array, int component) const;
 
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -51,6 +59,7 @@ Q_SIGNALS:
 private:
   Q_DISABLE_COPY(pqTFCProbe)
 
+  void restart();
   void watch();
   void pick(double x, double y);
 
@@ -60,6 +69,7 @@ private:
   QPoint Pressed;
   QString Regions;
   QString Values;
+  vtkSmartPointer<vtkTFCTableInformation> Location; ///< null when nothing was found
   bool Active = false;
 };
 

@@ -8,6 +8,7 @@
 #include "vtkTFCTransferFunction.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QScopedValueRollback>
@@ -40,6 +41,17 @@ pqTFCRegionList::pqTFCRegionList(pqTFCDocument* document, QWidget* parentObject)
   header->setSectionResizeMode(pqTFCRegionModel::Name, QHeaderView::Stretch);
   header->setHighlightSections(false);
 
+  this->List->setMouseTracking(true);
+  this->List->viewport()->installEventFilter(this);
+  QObject::connect(this->List, &QTableView::entered, this,
+    [this](const QModelIndex& index)
+    {
+      vtkTFCRegion* region = this->Model->region(index.row());
+      Q_EMIT this->hovered(region ? region->GetId() : 0);
+    });
+  QObject::connect(this->List, &QTableView::viewportEntered, this,
+    [this]() { Q_EMIT this->hovered(0); });
+
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
@@ -54,6 +66,16 @@ pqTFCRegionList::pqTFCRegionList(pqTFCDocument* document, QWidget* parentObject)
 
 //-----------------------------------------------------------------------------
 pqTFCRegionList::~pqTFCRegionList() = default;
+
+//-----------------------------------------------------------------------------
+bool pqTFCRegionList::eventFilter(QObject* watched, QEvent* e)
+{
+  if (e->type() == QEvent::Leave)
+  {
+    Q_EMIT this->hovered(0);
+  }
+  return this->Superclass::eventFilter(watched, e);
+}
 
 //-----------------------------------------------------------------------------
 QToolBar* pqTFCRegionList::makeActions()

@@ -30,6 +30,11 @@ Q_SIGNALS:
   /// Buttons whose work the chart does.
   void duplicate();
   void remove();
+  /// Id of the region under the pointer, 0 for none.
+  void hovered(int region);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private Q_SLOTS:
   void refresh();

@@ -42,6 +42,8 @@ public:
   /// Sum of the histogram that is shown: voxels in the region. -1 while there is none.
   double total() const { return this->Total; }
 
+  pqTransferFunctionWidget* opacityWidget() const { return this->Opacity; }
+
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 

@@ -3,6 +3,7 @@
 #include "vtkTFCVolumeRepresentation.h"
 
 #include "vtkTFCAttributeReader.h"
+#include "vtkTFCCompiledModel.h"
 #include "vtkTFCTransferFunction.h"
 #include "vtkTFCVolumeMapper.h"
 
@@ -91,6 +92,12 @@ void vtkTFCVolumeRepresentation::SetTransferFunction(const char* state)
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetHighlightedRegion(int id)
+{
+  this->Model->SetHighlightedRegion(id);
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCVolumeRepresentation::SetSampleDistance(double distance)
 {
   this->GetMapper()->SetSampleDistance(distance);
@@ -121,6 +128,12 @@ void vtkTFCVolumeRepresentation::SetShadingArray(const char* name)
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetShadeByOpacity(bool byOpacity)
+{
+  this->GetMapper()->SetShadeByOpacity(byOpacity);
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCVolumeRepresentation::SetRayBlending(int mode)
 {
   this->RayBlending = mode;
@@ -130,6 +143,12 @@ void vtkTFCVolumeRepresentation::SetRayBlending(int mode)
 void vtkTFCVolumeRepresentation::SetBlendMode(int mode)
 {
   this->SharedBlendMode = mode;
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetSlicePlane(vtkImplicitFunction* plane)
+{
+  this->SlicePlane = plane;
 }
 
 //------------------------------------------------------------------------------
@@ -201,20 +220,23 @@ void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
     this->Model->HasAxisRange(vtkTFCTransferFunction::Secondary))
   {
     this->GetMapper()->ClearAutomaticRanges();
+    this->RangedAxes.clear();
     return;
   }
-  const vtkMTimeType newest = std::max(this->Model->GetMTime(), this->DataTime.GetMTime());
-  if (this->RangesTime == newest || this->Model->GetNumberOfRegions() == 0)
+  vtkTFCCompiledModel model = this->Model->Compile();
+  model.Attributes.resize(2);
+  // An edit of a region must not cost a pass over the data.
+  if ((this->RangesTime == this->DataTime.GetMTime() && this->RangedAxes == model.Attributes) ||
+    this->Model->GetNumberOfRegions() == 0)
   {
     return;
   }
-  this->RangesTime = newest;
+  this->RangesTime = this->DataTime.GetMTime();
+  this->RangedAxes = model.Attributes;
 
   // Minima as they are, maxima negated: one reduction.
   double local[4];
   std::fill(local, local + 4, std::numeric_limits<double>::infinity());
-  vtkTFCCompiledModel model = this->Model->Compile();
-  model.Attributes.resize(2);
   for (const auto& image : CollectLattices(this->Cache))
   {
     vtkTFCAttributeReader reader;
@@ -277,9 +299,9 @@ void vtkTFCVolumeRepresentation::UpdateMapperParameters()
 {
   this->Actor->SetMapper(this->VolumeMapper);
   this->Actor->SetVisibility(this->GetVisibility());
-  this->VolumeMapper->SetBlendMode(this->SharedBlendMode != vtkVolumeMapper::COMPOSITE_BLEND
-      ? this->SharedBlendMode
-      : this->RayBlending);
+  const bool shared = this->SharedBlendMode != vtkVolumeMapper::COMPOSITE_BLEND;
+  this->VolumeMapper->SetBlendMode(shared ? this->SharedBlendMode : this->RayBlending);
+  this->Property->SetSliceFunction(this->SlicePlane);
   auto* controller = vtkMultiProcessController::GetGlobalController();
   this->GetMapper()->SetDistributed(controller && controller->GetNumberOfProcesses() > 1);
   if (this->Property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION)

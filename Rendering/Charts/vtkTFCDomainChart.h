@@ -19,8 +19,9 @@
  * selection with Shift or Control, and spans a selecting rectangle on empty ground; middle, or left
  * with Alt, pans; the wheel zooms around the pointer. With a tool it draws a new region. While a
  * handle is dragged, Shift keeps proportions (turns in steps of 15 degrees) and Control keeps the
- * centre. A double click on an edge of a polygon inserts a vertex, on a vertex removes it.
- * Keys: see HandleKey().
+ * centre. The slider beside the selected region changes its opacity, with Shift ten times as
+ * finely. A double click on an edge of a polygon inserts a vertex, on a vertex removes it. Keys:
+ * see HandleKey().
  */
 
 #ifndef vtkTFCDomainChart_h
@@ -131,16 +132,18 @@ public:
    * They return how many regions changed.
    */
   int MoveSelection(double dx, double dy);
+  int ChangeOpacity(double by);
   int DeleteSelection();
   int DuplicateSelection();
   ///@}
 
   /**
    * A key without a mouse: `key` as Qt or X name it. Arrows move the selection by 1 pixel (10 with
-   * Shift), Delete and BackSpace remove it, Tab and Backtab go through the regions, Escape cancels,
-   * Return draws a box, ellipse or triangle in the middle with its tool and closes a polygon and
-   * BackSpace takes back its last point; v e r t p l choose tools; + - 0 zoom in, out and fit; a
-   * with Control selects all, d with Control duplicates. True when the key did something.
+   * Shift), PageUp and PageDown change its opacity by 0.05 (0.01 with Shift), Delete and BackSpace
+   * remove it, Tab and Backtab go through the regions, Escape cancels, Return draws a box, ellipse
+   * or triangle in the middle with its tool and closes a polygon and BackSpace takes back its last
+   * point; v e r t p l choose tools; + - 0 zoom in, out and fit; a with Control selects all, d with
+   * Control duplicates. True when the key did something.
    */
   bool HandleKey(const std::string& key, bool shift, bool control);
 
@@ -201,6 +204,7 @@ private:
   void UpdateItems();
   void PaintTitles(vtkContext2D* painter);
   void PaintGesture(vtkContext2D* painter);
+  void PaintOpacity(vtkContext2D* painter);
   void PaintProbe(vtkContext2D* painter);
   void PaintMessage(vtkContext2D* painter);
   void Redraw();
@@ -210,7 +214,7 @@ private:
   vtkTFCRegion* ActiveRegion() const;
   std::vector<vtkTFCRegion*> EditableSelection();
   int RegionAt(const Point& pixel) const;
-  bool HandleAt(const Point& pixel, vtkTFCOutline::Handle& handle, bool& width) const;
+  bool HandleAt(const Point& pixel, vtkTFCOutline::Handle& handle, DragModes& mode) const;
   void UpdateHover(const Point& pixel, bool inside);
   void SelectRegion(int id, bool add);
   void SelectInBand();

@@ -20,6 +20,7 @@ enum class vtkTFCDomainChart::DragModes
   Move,    ///< of the selected regions
   Handle,  ///< of the active region
   Width,   ///< of its fall-off
+  Opacity, ///< of the active region
   Box,     ///< drawing an ellipse, rectangle or triangle
   Stroke,  ///< drawing a lasso
   Clicks,  ///< drawing a polygon; goes on between the clicks
@@ -38,6 +39,7 @@ struct vtkTFCDomainChart::Drag
   std::array<double, 4> View = { { 0, 1, 0, 1 } };      ///< at the start of panning
   std::vector<Point> Points;                            ///< lasso: pixels; polygon: axis units
   int Created = 0;                                      ///< region that is being drawn
+  double Opacity = 0;                                   ///< that the slider has come to
   bool Said = false;                                    ///< one message per gesture
   bool Editing = false; ///< between StartInteractionEvent and EndInteractionEvent
   std::string Before;   ///< state at the start of the edit

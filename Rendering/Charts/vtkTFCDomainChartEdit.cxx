@@ -230,6 +230,23 @@ int vtkTFCDomainChart::MoveSelection(double dx, double dy)
   return count;
 }
 
+int vtkTFCDomainChart::ChangeOpacity(double by)
+{
+  const std::vector<vtkTFCRegion*> regions = this->EditableSelection();
+  if (!regions.empty())
+  {
+    this->BeginEdit();
+    for (vtkTFCRegion* region : regions)
+    {
+      // To a thousandth: sums of 0.05 should not become 0.15000000000000002.
+      region->SetOpacity(std::round(1000 * std::clamp(region->GetOpacity() + by, 0.0, 1.0)) / 1000);
+    }
+    this->Changed();
+    this->EndEdit();
+  }
+  return static_cast<int>(regions.size());
+}
+
 int vtkTFCDomainChart::DeleteSelection()
 {
   const std::vector<vtkTFCRegion*> regions = this->EditableSelection();
@@ -332,6 +349,11 @@ bool vtkTFCDomainChart::HandleKey(const std::string& key, bool shift, bool contr
     const double dx = key == "Left" ? -step : (key == "Right" ? step : 0);
     const double dy = key == "Down" ? -step : (key == "Up" ? step : 0);
     return this->MoveSelection(dx, dy) > 0;
+  }
+  if (key == "PageUp" || key == "Prior" || key == "PageDown" || key == "Next")
+  {
+    const double change = shift ? 0.01 : 0.05;
+    return this->ChangeOpacity(key == "PageUp" || key == "Prior" ? change : -change) > 0;
   }
   if (key == "Delete" || key == "BackSpace" || key == "Backspace")
   {

@@ -58,7 +58,7 @@ int vtkTFCDomainChart::RegionAt(const Point& pixel) const
 }
 
 bool vtkTFCDomainChart::HandleAt(const Point& pixel, vtkTFCOutline::Handle& handle,
-  bool& width) const
+  DragModes& mode) const
 {
   vtkTFCRegionItem* item =
     this->Selection.size() == 1 ? this->FindItem(this->Selection[0]) : nullptr;
@@ -67,8 +67,7 @@ bool vtkTFCDomainChart::HandleAt(const Point& pixel, vtkTFCOutline::Handle& hand
     return false;
   }
   double nearest = REACH * this->Mapping.Scale;
-  bool found = false;
-  width = false;
+  mode = DragModes::None;
   for (const vtkTFCOutline::Handle& candidate : item->GetHandles())
   {
     const double distance = Distance(pixel, this->Mapping.ToPixel(candidate.Position));
@@ -76,15 +75,20 @@ bool vtkTFCDomainChart::HandleAt(const Point& pixel, vtkTFCOutline::Handle& hand
     {
       nearest = distance;
       handle = candidate;
-      found = true;
+      mode = DragModes::Handle;
     }
   }
   Point position;
   if (item->GetWidthHandle(position) && Distance(pixel, this->Mapping.ToPixel(position)) < nearest)
   {
-    width = found = true;
+    nearest = Distance(pixel, this->Mapping.ToPixel(position));
+    mode = DragModes::Width;
   }
-  return found;
+  if (Distance(pixel, item->GetOpacityHandle()) < nearest)
+  {
+    mode = DragModes::Opacity;
+  }
+  return mode != DragModes::None;
 }
 
 void vtkTFCDomainChart::UpdateHover(const Point& pixel, bool inside)
@@ -185,13 +189,14 @@ void vtkTFCDomainChart::StartDrag(const Point& pixel, int modifiers)
   }
 
   drag.Stop(DragModes::None);
-  bool width = false;
+  DragModes onHandle = DragModes::None;
   const int region = this->RegionAt(pixel);
   const bool add =
     (modifiers & (vtkContextMouseEvent::SHIFT_MODIFIER | vtkContextMouseEvent::CONTROL_MODIFIER));
-  if (this->HandleAt(pixel, drag.Handle, width))
+  if (this->HandleAt(pixel, drag.Handle, onHandle))
   {
-    drag.Mode = width ? DragModes::Width : DragModes::Handle;
+    drag.Mode = onHandle;
+    drag.Opacity = this->ActiveRegion()->GetOpacity();
   }
   else if (region)
   {
@@ -246,6 +251,7 @@ bool vtkTFCDomainChart::MouseLeaveEvent(const vtkContextMouseEvent& mouse)
 void vtkTFCDomainChart::ContinueDrag(const Point& pixel, int modifiers)
 {
   Drag& drag = *this->Gesture;
+  const double rise = pixel[1] - (drag.Moved ? drag.Last : drag.Start)[1];
   drag.Last = pixel;
   if (!drag.Moved && Distance(pixel, drag.Start) < SLIP * this->Mapping.Scale &&
     drag.Mode != DragModes::Clicks)
@@ -285,6 +291,19 @@ void vtkTFCDomainChart::ContinueDrag(const Point& pixel, int modifiers)
       region->SetFalloff(region->GetFalloffType(), this->FindItem(region->GetId())->WidthAt(to));
       this->Changed();
       break;
+    case DragModes::Opacity:
+    {
+      Point zero;
+      Point one;
+      this->FindItem(region->GetId())->GetOpacitySlider(zero, one);
+      const double fine = constraints.Proportional ? 0.1 : 1.0;
+      drag.Opacity = std::clamp(drag.Opacity + fine * rise / (one[1] - zero[1]), 0.0, 1.0);
+      this->BeginEdit();
+      // Numbers that one can read: to a hundredth, with Shift to a thousandth.
+      region->SetOpacity(std::round(drag.Opacity * 100 / fine) / (100 / fine));
+      this->Changed();
+      break;
+    }
     case DragModes::Handle:
     {
       this->BeginEdit();
@@ -376,7 +395,7 @@ bool vtkTFCDomainChart::MouseDoubleClickEvent(const vtkContextMouseEvent& mouse)
   }
   vtkTFCRegion* region = this->ActiveRegion();
   vtkTFCOutline::Handle handle;
-  bool width = false;
+  DragModes kind = DragModes::None;
   if (this->Tool != Select || !region || region->GetLocked())
   {
     return true;
@@ -386,12 +405,12 @@ bool vtkTFCDomainChart::MouseDoubleClickEvent(const vtkContextMouseEvent& mouse)
   {
     return true;
   }
-  const bool onHandle = this->HandleAt(pixel, handle, width);
+  const bool onHandle = this->HandleAt(pixel, handle, kind);
   double distance;
   const int edge =
     outline.NearestEdge(this->Mapping.ToAxis(pixel), this->Mapping.PixelSize(), &distance);
   bool changed = false;
-  if (onHandle && !width && handle.Kind == vtkTFCOutline::Handles::Vertex)
+  if (kind == DragModes::Handle && handle.Kind == vtkTFCOutline::Handles::Vertex)
   {
     changed = outline.RemoveVertex(handle.Index);
     if (!changed)

@@ -13,9 +13,13 @@
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
 #include "vtkTFCDomainChartDrag.h"
+#include "vtkTFCRegion.h"
+#include "vtkTFCRegionItem.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 namespace
 {
@@ -149,6 +153,34 @@ void vtkTFCDomainChart::PaintGesture(vtkContext2D* painter)
   }
 }
 
+// The number, while the slider is dragged.
+void vtkTFCDomainChart::PaintOpacity(vtkContext2D* painter)
+{
+  vtkTFCRegion* region = this->ActiveRegion();
+  if (this->Gesture->Mode != DragModes::Opacity || !region)
+  {
+    return;
+  }
+  const Point handle = this->FindItem(region->GetId())->GetOpacityHandle();
+  const auto& plot = this->Mapping.Plot;
+  std::array<char, 16> label;
+  std::snprintf(label.data(), label.size(), "%.3g", region->GetOpacity());
+  vtkTextProperty* text = painter->GetTextProp();
+  text->SetFontFamilyToArial();
+  text->SetFontSize(12);
+  text->SetBold(true);
+  text->SetOrientation(0);
+  text->SetOpacity(1);
+  const double ink = this->Mapping.Dark ? 0.95 : 0.1;
+  text->SetColor(ink, ink, ink);
+  const bool right = handle[0] < plot[0] + plot[2] - 50 * this->Mapping.Scale;
+  right ? text->SetJustificationToLeft() : text->SetJustificationToRight();
+  text->SetVerticalJustificationToCentered();
+  const double x = handle[0] + (right ? 11 : -11) * this->Mapping.Scale;
+  painter->DrawString(static_cast<float>(x), static_cast<float>(handle[1]), label.data());
+  text->SetBold(false);
+}
+
 void vtkTFCDomainChart::PaintProbe(vtkContext2D* painter)
 {
   const Point p = this->Mapping.ToPixel(this->Mapping.FromData(this->Probe));
@@ -207,6 +239,7 @@ bool vtkTFCDomainChart::Paint(vtkContext2D* painter)
   this->PaintChildren(painter);
   this->PaintTitles(painter);
   this->PaintGesture(painter);
+  this->PaintOpacity(painter);
   this->PaintProbe(painter);
   this->PaintMessage(painter);
   return true;

@@ -24,7 +24,11 @@ using Point = vtkTFCOutline::Point;
 
 // Samples of the weight along one side: finer than anybody sees in a soft edge.
 constexpr int LARGEST_PICTURE = 160;
-constexpr double ROOM_FOR_SIDES = 14; // points of 1/72 inch
+// Points of 1/72 inch.
+constexpr double ROOM_FOR_SIDES = 14;
+constexpr double SLIDER_LENGTH = 64;
+constexpr double SLIDER_DISTANCE = 18; // from the region
+constexpr double SLIDER_MARGIN = 12;   // to the border of the plot
 
 double FalloffPosition(const vtkTFCRegion* region)
 {
@@ -123,6 +127,45 @@ double vtkTFCRegionItem::WidthAt(const Point& position) const
   const double d = length > 0 ? ((p[0] - a[0]) * line[0] + (p[1] - a[1]) * line[1]) / length : 0.5;
   const double width = this->Region->GetFalloffType() == vtkTFCRegion::Gaussian ? d : 1 - d;
   return std::clamp(width, 0.01, 1.0);
+}
+
+void vtkTFCRegionItem::GetOpacitySlider(Point& zero, Point& one) const
+{
+  // At the right, where no other handle is; at the left where there is no room.
+  const vtkTFCDomainMapping& map = *this->Mapping;
+  const auto bounds = this->GetOutline().GetBounds();
+  Point low = map.ToPixel({ bounds[0], bounds[2] });
+  Point high = map.ToPixel({ bounds[1], bounds[3] });
+  for (const vtkTFCOutline::Handle& handle : this->GetHandles())
+  {
+    const double x = map.ToPixel(handle.Position)[0];
+    low[0] = std::min(low[0], x);
+    high[0] = std::max(high[0], x);
+  }
+  const double margin = SLIDER_MARGIN * map.Scale;
+  const double first = map.Plot[0] + margin;
+  const double last = std::max(first, map.Plot[0] + map.Plot[2] - margin);
+  double x = high[0] + SLIDER_DISTANCE * map.Scale;
+  if (x > last && low[0] - SLIDER_DISTANCE * map.Scale >= first)
+  {
+    x = low[0] - SLIDER_DISTANCE * map.Scale;
+  }
+  x = std::clamp(x, first, last);
+  const double length =
+    std::min(SLIDER_LENGTH * map.Scale, std::max(8.0, map.Plot[3] - 2 * margin));
+  const double bottom = map.Plot[1] + margin;
+  const double y = std::clamp((low[1] + high[1] - length) / 2, bottom,
+    std::max(bottom, map.Plot[1] + map.Plot[3] - margin - length));
+  zero = { x, y };
+  one = { x, y + length };
+}
+
+Point vtkTFCRegionItem::GetOpacityHandle() const
+{
+  Point zero;
+  Point one;
+  this->GetOpacitySlider(zero, one);
+  return { zero[0], zero[1] + this->Region->GetOpacity() * (one[1] - zero[1]) };
 }
 
 void vtkTFCRegionItem::UpdatePicture()
@@ -273,6 +316,38 @@ void vtkTFCRegionItem::PaintHandles(vtkContext2D* painter)
   }
 }
 
+void vtkTFCRegionItem::PaintSlider(vtkContext2D* painter)
+{
+  const vtkTFCDomainMapping& map = *this->Mapping;
+  Point zero;
+  Point one;
+  this->GetOpacitySlider(zero, one);
+  const Point handle = this->GetOpacityHandle();
+  const auto scale = static_cast<float>(map.Scale);
+  const auto x = static_cast<float>(zero[0]);
+  const auto bottom = static_cast<float>(zero[1]);
+  const auto top = static_cast<float>(one[1]);
+  const auto y = static_cast<float>(handle[1]);
+  const double ink = map.Dark ? 0.95 : 0.15;
+  const double ground = map.Dark ? 0.15 : 1.0;
+  double color[3];
+  this->Region->GetColor(color);
+  vtkPen* pen = painter->GetPen();
+  pen->SetLineType(vtkPen::SOLID_LINE);
+  pen->SetOpacityF(1);
+  pen->SetColorF(ink, ink, ink);
+  pen->SetWidth(1.2F * scale);
+  painter->GetBrush()->SetColorF(ground, ground, ground, 1.0);
+  painter->DrawRect(x - 2.5F * scale, bottom, 5 * scale, top - bottom);
+  // Filled up to the opacity.
+  pen->SetOpacityF(0);
+  painter->GetBrush()->SetColorF(color[0], color[1], color[2], 1.0);
+  painter->DrawRect(x - 2 * scale, bottom, 4 * scale, y - bottom);
+  pen->SetOpacityF(1);
+  painter->GetBrush()->SetColorF(ground, ground, ground, 1.0);
+  painter->DrawRect(x - 7 * scale, y - 2.5F * scale, 14 * scale, 5 * scale);
+}
+
 void vtkTFCRegionItem::PaintName(vtkContext2D* painter)
 {
   const vtkTFCDomainMapping& map = *this->Mapping;
@@ -335,6 +410,7 @@ bool vtkTFCRegionItem::Paint(vtkContext2D* painter)
   this->PaintOutline(painter);
   if (this->Active && !this->Region->GetLocked())
   {
+    this->PaintSlider(painter);
     this->PaintHandles(painter);
   }
   if (this->Hovered || this->Selected)

@@ -64,6 +64,16 @@ public:
   VTK_WRAPEXCLUDE double WidthAt(const vtkTFCOutline::Point& position) const;
   ///@}
 
+  ///@{
+  /**
+   * The slider of the opacity beside the region, in pixels: where opacities 0 and 1 are, and where
+   * the region's own is. It stays within the plot.
+   */
+  VTK_WRAPEXCLUDE void GetOpacitySlider(vtkTFCOutline::Point& zero,
+    vtkTFCOutline::Point& one) const;
+  VTK_WRAPEXCLUDE vtkTFCOutline::Point GetOpacityHandle() const;
+  ///@}
+
   bool Paint(vtkContext2D* painter) override;
 
 protected:
@@ -77,6 +87,7 @@ private:
   void UpdatePicture();
   void PaintOutline(vtkContext2D* painter);
   void PaintHandles(vtkContext2D* painter);
+  void PaintSlider(vtkContext2D* painter);
   void PaintName(vtkContext2D* painter);
 
   const vtkTFCDomainMapping* Mapping = nullptr;

@@ -419,10 +419,30 @@ std::vector<vtkTFCAttribute> vtkTFCTransferFunction::GetAttributes() const
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCTransferFunction::SetHighlightedRegion(int id)
+{
+  if (id != this->HighlightedRegion)
+  {
+    this->HighlightedRegion = id;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkTFCCompiledModel vtkTFCTransferFunction::Compile(const double used[4]) const
 {
-  return vtkTFCCompileState(this->CollectState(),
+  vtkTFCCompiledModel model = vtkTFCCompileState(this->CollectState(),
     { { { { used[0], used[1] } }, { { used[2], used[3] } } } }, &this->Internal->Poles);
+  const auto isHighlighted = [this](const vtkTFCCompiledRegion& region)
+  { return region.Id == this->HighlightedRegion; };
+  if (std::any_of(model.Regions.begin(), model.Regions.end(), isHighlighted))
+  {
+    for (vtkTFCCompiledRegion& region : model.Regions)
+    {
+      region.Opacity *= isHighlighted(region) ? 1.0 : HighlightDimming;
+    }
+  }
+  return model;
 }
 
 //------------------------------------------------------------------------------
@@ -438,5 +458,6 @@ void vtkTFCTransferFunction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "State: " << this->GetState();
+  os << indent << "HighlightedRegion: " << this->HighlightedRegion << "\n";
   os << indent << "LastError: " << this->LastError << "\n";
 }

@@ -18,7 +18,7 @@
  * numbers up to 1e300.
  *
  * GetMTime() covers the regions and their shapes, and changes with every edit that changes
- * something, and only then.
+ * something and with the highlighted region, and only then.
  */
 
 #ifndef vtkTFCTransferFunction_h
@@ -136,6 +136,17 @@ public:
   void MoveRegion(int from, int to);
   ///@}
 
+  ///@{
+  /**
+   * Id of a region that Compile() lets stand out: all others have HighlightDimming times their
+   * opacity. It is a look, no edit: the state has nothing of it. 0, or the id of a region that
+   * takes no part in classification: none. Default 0.
+   */
+  static constexpr double HighlightDimming = 0.02;
+  void SetHighlightedRegion(int id);
+  int GetHighlightedRegion() const { return this->HighlightedRegion; }
+  ///@}
+
   /**
    * The attributes that an evaluation needs, as listed in vtkTFCCompiledModel::Attributes.
    */
@@ -165,6 +176,7 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
+  int HighlightedRegion = 0;
   std::string LastError;
 };
 

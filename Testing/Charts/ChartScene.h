@@ -10,6 +10,7 @@
 #define TFC_Testing_ChartScene_h
 
 #include "vtkTFCDomainChart.h"
+#include "vtkTFCEllipseShape.h"
 #include "vtkTFCHistogramItem.h"
 #include "vtkTFCRectangleShape.h"
 #include "vtkTFCRegion.h"
@@ -22,6 +23,8 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+
+#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
@@ -153,6 +156,31 @@ public:
   std::map<unsigned long, int> Counts;
   std::string Message;
 };
+
+/// Centre and half sizes of a rectangle or an ellipse.
+inline std::array<double, 4> BoxOf(vtkTFCRegion* region)
+{
+  std::array<double, 4> box = { { 0, 0, 0, 0 } };
+  if (auto* r = vtkTFCRectangleShape::SafeDownCast(region->GetShape()))
+  {
+    r->GetCenter(box.data());
+    r->GetHalfSize(&box[2]);
+  }
+  else if (auto* e = vtkTFCEllipseShape::SafeDownCast(region->GetShape()))
+  {
+    e->GetCenter(box.data());
+    e->GetRadii(&box[2]);
+  }
+  return box;
+}
+
+/// Everything since the counts were cleared was one edit.
+inline void ExpectOneEdit(ChartScene& scene)
+{
+  EXPECT_EQ(scene.Counts[vtkCommand::StartInteractionEvent], 1);
+  EXPECT_GE(scene.Counts[vtkCommand::InteractionEvent], 1);
+  EXPECT_EQ(scene.Counts[vtkCommand::EndInteractionEvent], 1);
+}
 
 }
 

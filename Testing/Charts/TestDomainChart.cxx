@@ -10,29 +10,15 @@
 
 #include <gtest/gtest.h>
 
+using tfctest::BoxOf;
 using tfctest::ChartScene;
+using tfctest::ExpectOneEdit;
 
 namespace
 {
 // A pixel is about a quarter of a unit of the first axis, and 0.005 of the second.
 constexpr double X = 0.3;
 constexpr double Y = 0.007;
-
-std::array<double, 4> BoxOf(vtkTFCRegion* region)
-{
-  std::array<double, 4> box = { { 0, 0, 0, 0 } };
-  if (auto* r = vtkTFCRectangleShape::SafeDownCast(region->GetShape()))
-  {
-    r->GetCenter(box.data());
-    r->GetHalfSize(&box[2]);
-  }
-  else if (auto* e = vtkTFCEllipseShape::SafeDownCast(region->GetShape()))
-  {
-    e->GetCenter(box.data());
-    e->GetRadii(&box[2]);
-  }
-  return box;
-}
 
 void ExpectBox(vtkTFCRegion* region, double x, double y, double hx, double hy)
 {
@@ -41,13 +27,6 @@ void ExpectBox(vtkTFCRegion* region, double x, double y, double hx, double hy)
   EXPECT_NEAR(box[1], y, Y);
   EXPECT_NEAR(box[2], hx, X);
   EXPECT_NEAR(box[3], hy, Y);
-}
-
-void ExpectOneEdit(ChartScene& scene)
-{
-  EXPECT_EQ(scene.Counts[vtkCommand::StartInteractionEvent], 1);
-  EXPECT_GE(scene.Counts[vtkCommand::InteractionEvent], 1);
-  EXPECT_EQ(scene.Counts[vtkCommand::EndInteractionEvent], 1);
 }
 }
 

@@ -42,6 +42,12 @@ def difference(first, second):
     return float(np.abs(first - second).mean())
 
 
+def highlight(display, region):
+    """Let a region stand out. The property is internal: Python has no attribute for it."""
+    display.SMProxy.GetProperty("HighlightedRegion").SetElement(0, region)
+    display.SMProxy.UpdateVTKObjects()
+
+
 def make_view():
     """A small view without decoration whose background is black."""
     from paraview import simple

@@ -19,12 +19,19 @@ import tfc
 
 
 def show():
-    """The picture and the scores in the current session."""
+    """Pictures, with and without a highlighted region, and the scores in the current session."""
     source = pictures.make_source()
     view = pictures.make_view()
-    tfc.show(source, pictures.make_transfer_function(), view, unit_distance=2, shade=False)
+    tf = pictures.make_transfer_function()
+    display = tfc.show(source, tf, view, unit_distance=2, shade=False)
     simple.ResetCamera(view)
-    return pictures.capture(view), tfc.score(source, "RTData", arrays=["X", "R"])
+    plain = pictures.capture(view)
+    pictures.highlight(display, tf.region("half").id)
+    highlighted = pictures.capture(view)
+    pictures.highlight(display, 0)
+    scripttest.check(pictures.difference(plain, pictures.capture(view)) == 0,
+                     "nothing stays of the highlight")
+    return plain, highlighted, tfc.score(source, "RTData", arrays=["X", "R"])
 
 
 def connect(port, server):
@@ -43,17 +50,21 @@ def connect(port, server):
     simple.Connect("localhost", port)
 
 
-picture, scores = show()
+picture, highlighted, scores = show()
 scripttest.check(float(picture.max()) > 60, "something is visible")
+difference = pictures.difference(picture, highlighted)
+scripttest.check(difference > 1, "the highlight is visible: %.1f/255" % difference)
 with socket.socket() as free:
     free.bind(("", 0))
     port = free.getsockname()[1]
 server = subprocess.Popen([sys.argv[1], "--server-port=%d" % port])
 try:
     connect(port, server)
-    remote, remote_scores = show()
-    difference = pictures.difference(picture, remote)
-    scripttest.check(difference <= 0.5, "the same picture: mean difference %.3f/255" % difference)
+    remote, remote_highlighted, remote_scores = show()
+    for here, there in ((picture, remote), (highlighted, remote_highlighted)):
+        difference = pictures.difference(here, there)
+        scripttest.check(difference <= 0.5,
+                         "the same picture: mean difference %.3f/255" % difference)
     scripttest.check(repr(remote_scores) == repr(scores), "the same scores")
 finally:
     server.kill()

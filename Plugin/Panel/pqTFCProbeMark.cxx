@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqTFCProbeMark.h"
+
+#include "pqTFCDocument.h"
+#include "pqTFCProbe.h"
+#include "pqTransferFunctionWidget.h"
+#include "vtkChart.h"
+#include "vtkCollectionRange.h"
+#include "vtkContextActor.h"
+#include "vtkContextScene.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkTFCRegion.h"
+#include "vtkTFCValueMark.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <limits>
+
+namespace
+{
+// The scene of ParaView's widget, which has no function for it (ParaView 5.11).
+vtkContextScene* FindScene(QWidget* widget)
+{
+  auto* canvas = widget->findChild<QVTKOpenGLNativeWidget*>();
+  vtkRenderer* renderer =
+    canvas ? canvas->renderWindow()->GetRenderers()->GetFirstRenderer() : nullptr;
+  if (renderer)
+  {
+    for (vtkObject* prop : vtk::Range(renderer->GetViewProps()))
+    {
+      if (auto* actor = vtkContextActor::SafeDownCast(prop))
+      {
+        return actor->GetScene();
+      }
+    }
+  }
+  return nullptr;
+}
+}
+
+//-----------------------------------------------------------------------------
+pqTFCProbeMark::pqTFCProbeMark(pqTFCDocument* document, pqTFCProbe* probe,
+  pqTransferFunctionWidget* widget)
+  : Superclass(widget)
+  , Document(document)
+  , Probe(probe)
+  , Widget(widget)
+{
+  if (vtkContextScene* scene = FindScene(widget))
+  {
+    for (unsigned int i = 0; i < scene->GetNumberOfItems(); ++i)
+    {
+      if (auto* chart = vtkChart::SafeDownCast(scene->GetItem(i)))
+      {
+        this->Mark->SetChart(chart);
+      }
+    }
+    // The mouse goes through to the points of the function.
+    this->Mark->SetInteractive(false);
+    scene->AddItem(this->Mark);
+  }
+  QObject::connect(probe, &pqTFCProbe::told, this, &pqTFCProbeMark::refresh);
+  QObject::connect(document, &pqTFCDocument::changed, this, &pqTFCProbeMark::refresh);
+  QObject::connect(document, &pqTFCDocument::selectionChanged, this, &pqTFCProbeMark::refresh);
+}
+
+//-----------------------------------------------------------------------------
+pqTFCProbeMark::~pqTFCProbeMark() = default;
+
+//-----------------------------------------------------------------------------
+double pqTFCProbeMark::value() const
+{
+  return this->Mark->GetValue();
+}
+
+//-----------------------------------------------------------------------------
+double pqTFCProbeMark::position() const
+{
+  vtkContextScene* scene = this->Mark->GetScene();
+  return scene && this->Widget->isVisible() ? this->Mark->GetPosition() / scene->GetSceneWidth()
+                                            : std::numeric_limits<double>::quiet_NaN();
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCProbeMark::refresh()
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  const double value = region && region->HasTertiary()
+    ? this->Probe->value(region->GetTertiaryArray(), region->GetTertiaryComponent())
+    : std::numeric_limits<double>::quiet_NaN();
+  if (this->Mark->SetValue(value))
+  {
+    this->Widget->render();
+  }
+}
