@@ -156,7 +156,7 @@ private:
   struct Boxes
   {
     Index Tile[3] = { 64, 8, 64 }, Block[3];
-    double SecondsPerRow; // 64 columns at most
+    double SecondsPerRow; // four columns, at most
 
     Boxes(const SphereShells& shells, const Index begin[3], const Index end[3])
     {
