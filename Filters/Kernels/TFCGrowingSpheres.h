@@ -21,11 +21,11 @@
  * complete skip the test for NaN, and add in the same order as others, and no sum depends on other
  * voxels' growth: the results have the same bits, however the lattice is cut into pieces.
  *
- * Cost: 123 samples for the first three spheres; then for each four spheres up to S_k, in a column
- * that still grows, the pi k^2 samples of a disc and as many as 8 k additions of discs a voxel.
- * That is about 450 samples and 140 discs for k = 10, of a sphere of 4169. A voxel that grows on
- * alone in its column costs as much as its spheres have samples. Twice that where samples may be
- * missing.
+ * Cost, at about eight operations per sample and 25 per disc: 130 samples for the first three
+ * spheres; then for each four spheres up to S_k, in a column that still grows, the pi k^2 samples
+ * of a disc and the additions of up to 8 k discs. For k = 10 these are 466 samples and 105 discs a
+ * voxel; the sphere has 4169. A voxel that grows on alone in its column costs as many samples as
+ * the largest of the four spheres has. Twice that where samples may be missing.
  */
 
 #ifndef TFCGrowingSpheres_h
@@ -34,6 +34,7 @@
 #include "TFCSphereGrowth.h"
 #include "TFCSphereSlices.h"
 
+#include <array>
 #include <memory>
 
 namespace tfc
@@ -155,7 +156,7 @@ private:
   struct Boxes
   {
     Index Tile[3] = { 64, 8, 64 }, Block[3];
-    double SecondsPerRow; // 64 columns at most
+    double SecondsPerRow; // four columns, at most
 
     Boxes(const SphereShells& shells, const Index begin[3], const Index end[3])
     {

@@ -15,6 +15,9 @@
 #include "TFCSphereShells.h"
 #include "TFCSphereTests.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace tfc
 {
 /**
@@ -221,20 +224,32 @@ private:
       this->Tests.TestNormality(total, *sizes, passed);
       this->Tests.TestSimilarity(accepted, shell, passed);
     }
-    std::int32_t any = 0;
-    for (int i = 0; i < Lanes; ++i)
-    {
-      accepted.Count[i] = passed[i] ? total.Count[i] : accepted.Count[i];
-      group.Radius[i] = passed[i] ? static_cast<float>(k) : group.Radius[i];
-      group.Alive[i] = passed[i];
-      any |= passed[i];
-    }
-    for (int s = 0; s < 4; ++s)
+    // With masks: of a selection the compiler makes a branch per lane.
+    const auto replace = [&passed](float* __restrict old, const float* __restrict larger)
     {
       for (int i = 0; i < Lanes; ++i)
       {
-        accepted.Sum[s][i] = passed[i] ? total.Sum[s][i] : accepted.Sum[s][i];
+        const std::uint32_t mask = 0u - static_cast<std::uint32_t>(passed[i]);
+        std::uint32_t a, b;
+        std::memcpy(&a, old + i, sizeof(a));
+        std::memcpy(&b, larger + i, sizeof(b));
+        a = (a & ~mask) | (b & mask);
+        std::memcpy(old + i, &a, sizeof(a));
       }
+    };
+    alignas(64) float radius[Lanes];
+    std::fill(radius, radius + Lanes, static_cast<float>(k));
+    replace(group.Radius, radius);
+    replace(accepted.Count, total.Count);
+    for (int s = 0; s < 4; ++s)
+    {
+      replace(accepted.Sum[s], total.Sum[s]);
+    }
+    std::int32_t any = 0;
+    for (int i = 0; i < Lanes; ++i)
+    {
+      group.Alive[i] = passed[i];
+      any |= passed[i];
     }
     group.AnyAlive = any != 0;
   }

@@ -22,6 +22,7 @@
 #include "TFCPowerSums.h"
 #include "TFCSphereShells.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace tfc
