@@ -324,35 +324,50 @@ pqTFCAxis pqTFCDocument::axis(int index, const double ranges[4]) const
 }
 
 //-----------------------------------------------------------------------------
-vtkTFCSparseHistogram* pqTFCDocument::plane()
+bool pqTFCDocument::histogramAxes(vtkTFCRegion* region, std::vector<pqTFCAxis>& axes) const
 {
   double ranges[4];
-  const auto known = [this](int i)
+  const auto known = [this](const std::string& array, int component)
+  { return this->findAttribute(array, component) != nullptr; };
+  if (!this->axisRanges(ranges) ||
+    !known(this->Model->GetAxisArray(0), this->Model->GetAxisComponent(0)) ||
+    !known(this->Model->GetAxisArray(1), this->Model->GetAxisComponent(1)) ||
+    (region &&
+      (!region->HasTertiary() ||
+        !known(region->GetTertiaryArray(), region->GetTertiaryComponent()))))
   {
-    return this->findAttribute(this->Model->GetAxisArray(i), this->Model->GetAxisComponent(i)) !=
-      nullptr;
-  };
-  if (!this->axisRanges(ranges) || !known(0) || !known(1))
-  {
-    return nullptr;
+    return false;
   }
-  return this->Cache.request(this->axis(0, ranges), this->axis(1, ranges), pqTFCAxis());
+  axes = { this->axis(0, ranges), this->axis(1, ranges), pqTFCAxis() };
+  if (region)
+  {
+    axes[2].Array = region->GetTertiaryArray();
+    axes[2].Component = region->GetTertiaryComponent();
+    this->tertiaryRange(region, axes[2].Range);
+  }
+  return true;
+}
+
+//-----------------------------------------------------------------------------
+vtkTFCSparseHistogram* pqTFCDocument::plane()
+{
+  std::vector<pqTFCAxis> axes;
+  return this->histogramAxes(nullptr, axes) ? this->Cache.request(axes) : nullptr;
 }
 
 //-----------------------------------------------------------------------------
 vtkTFCSparseHistogram* pqTFCDocument::joint(vtkTFCRegion* region)
 {
-  double ranges[4];
-  if (!region->HasTertiary() || !this->plane() || !this->axisRanges(ranges) ||
-    !this->findAttribute(region->GetTertiaryArray(), region->GetTertiaryComponent()))
-  {
-    return nullptr;
-  }
-  pqTFCAxis tertiary;
-  tertiary.Array = region->GetTertiaryArray();
-  tertiary.Component = region->GetTertiaryComponent();
-  this->tertiaryRange(region, tertiary.Range);
-  return this->Cache.request(this->axis(0, ranges), this->axis(1, ranges), tertiary);
+  // After the plane: what is seen first comes first.
+  std::vector<pqTFCAxis> axes;
+  return this->plane() && this->histogramAxes(region, axes) ? this->Cache.request(axes) : nullptr;
+}
+
+//-----------------------------------------------------------------------------
+bool pqTFCDocument::isStale(vtkTFCRegion* region) const
+{
+  std::vector<pqTFCAxis> axes;
+  return this->histogramAxes(region, axes) && this->Cache.isWanted(axes);
 }
 
 //-----------------------------------------------------------------------------

@@ -39,7 +39,6 @@ pqTFCMessageBar::pqTFCMessageBar(pqTFCDocument* document, QWidget* parentObject)
       this->refresh();
     });
   QObject::connect(document, &pqTFCDocument::targetChanged, this, &pqTFCMessageBar::refresh);
-  QObject::connect(document, &pqTFCDocument::histogramsChanged, this, &pqTFCMessageBar::refresh);
   QObject::connect(document, &pqTFCDocument::said, this, &pqTFCMessageBar::say);
   this->refresh();
 }
@@ -100,10 +99,6 @@ void pqTFCMessageBar::refresh()
       else if (!this->Document->model()->HasAxes())
       {
         text = tr("Choose the two axes below the chart.");
-      }
-      else if (this->Document->isStale())
-      {
-        text = tr("The histogram is out of date and will follow.");
       }
       break;
   }

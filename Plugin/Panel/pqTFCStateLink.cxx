@@ -49,7 +49,6 @@ pqTFCStateLink::pqTFCStateLink(QObject* parentObject)
     &pqTFCStateLink::updateTarget);
   QObject::connect(&active, &pqActiveObjects::viewChanged, this, &pqTFCStateLink::updateTarget);
   QObject::connect(&active, &pqActiveObjects::portChanged, this, &pqTFCStateLink::updateTarget);
-  QObject::connect(&active, &pqActiveObjects::dataUpdated, this, &pqTFCStateLink::dataChanged);
   QObject::connect(&active, &pqActiveObjects::dataUpdated, this, &pqTFCStateLink::updateTarget);
   // After a state file was loaded nothing is active.
   QObject::connect(pqApplicationCore::instance(),
@@ -117,7 +116,19 @@ void pqTFCStateLink::updateTarget()
   {
     this->Events->Disconnect();
     this->Editing = false;
+    if (this->Source)
+    {
+      QObject::disconnect(this->Source, nullptr, this, nullptr);
+    }
     this->Representation = target;
+    // Not that of pqActiveObjects: after a state file was loaded, no source is active.
+    this->Source = target ? target->getInput() : nullptr;
+    if (this->Source)
+    {
+      QObject::connect(this->Source.data(),
+        QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), this,
+        &pqTFCStateLink::dataChanged);
+    }
     if (target && target->getProxy()->GetProperty(PROPERTY))
     {
       this->Events->Connect(target->getProxy()->GetProperty(PROPERTY), vtkCommand::ModifiedEvent,

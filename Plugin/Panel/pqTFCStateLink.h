@@ -24,6 +24,7 @@
 
 class pqDataRepresentation;
 class pqOutputPort;
+class pqPipelineSource;
 class vtkEventQtSlotConnect;
 class vtkPVDataInformation;
 class vtkSMProxy;
@@ -88,6 +89,7 @@ private:
   pqDataRepresentation* findTarget() const;
 
   QPointer<pqDataRepresentation> Representation;
+  QPointer<pqPipelineSource> Source; ///< its input
   vtkNew<vtkEventQtSlotConnect> Events;
   QString Before; ///< the property at begin()
   bool Editing = false;
