@@ -70,8 +70,12 @@ void pqTFCMessageBar::refresh()
     case pqTFCStateLink::NoData:
       text = tr("Select a volume in the Pipeline Browser to edit its transfer function.");
       break;
+    case pqTFCStateLink::NotHere:
+      text = tr("Click on a render view, or make one, to show the selected data in it.");
+      break;
     case pqTFCStateLink::NotShown:
-      text = tr("Show the selected data in a render view first.");
+      text = tr("The selected data are not shown in this view.");
+      button = tr("Show as Combined Volume");
       break;
     case pqTFCStateLink::NotAnImage:
       text = tr("Combined transfer functions draw uniform grids. This makes one of the data:");
@@ -118,6 +122,7 @@ void pqTFCMessageBar::act()
 {
   switch (this->Document->link()->situation())
   {
+    case pqTFCStateLink::NotShown:
     case pqTFCStateLink::OtherType:
       this->Document->link()->makeCombinedVolume();
       break;
