@@ -12,8 +12,8 @@
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkTFCClassifier.h"
 #include "vtkTFCRegion.h"
+#include "vtkTFCRegionHistograms.h"
 #include "vtkTFCSparseHistogram.h"
 #include "vtkTFCTransferFunction.h"
 
@@ -379,38 +379,7 @@ bool pqTFCDocument::conditional(vtkTFCRegion* region, std::vector<double>& count
   {
     return false;
   }
-  const int nx = histogram->GetNumberOfBins(0);
-  const int ny = histogram->GetNumberOfBins(1);
-  // A copy that takes part whatever the original does: the histogram of a hidden region is wanted
-  // as well, and the weight without opacity and tertiary function.
-  vtkNew<vtkTFCTransferFunction> one;
-  one->SetAxis(0, this->Model->GetAxisArray(0).c_str(), this->Model->GetAxisComponent(0));
-  one->SetAxis(1, this->Model->GetAxisArray(1).c_str(), this->Model->GetAxisComponent(1));
-  vtkNew<vtkTFCRegion> copy;
-  copy->DeepCopy(region);
-  copy->RemoveTertiary();
-  copy->SetVisible(true);
-  copy->SetOpacity(1);
-  one->AddRegion(copy);
-  const vtkTFCCompiledModel model = one->Compile(ranges);
-  std::vector<float> weights(static_cast<size_t>(nx) * ny, 0.F);
-  if (!model.Regions.empty())
-  {
-    std::vector<double> x(weights.size());
-    std::vector<double> y(weights.size());
-    for (int j = 0; j < ny; ++j)
-    {
-      for (int i = 0; i < nx; ++i)
-      {
-        x[static_cast<size_t>(j) * nx + i] = histogram->GetBinCenter(0, i);
-        y[static_cast<size_t>(j) * nx + i] = histogram->GetBinCenter(1, j);
-      }
-    }
-    const double* attributes[2] = { x.data(), y.data() };
-    vtkTFCClassifier(model).Classify(weights.size(), attributes, nullptr, nullptr, weights.data());
-  }
-  counts.assign(histogram->GetNumberOfBins(2), 0);
-  histogram->GetConditional(weights.data(), counts.data());
+  counts = vtkTFCRegionHistograms::MakeConditional(histogram, this->Model, region, ranges);
   histogram->GetRange(2, range);
   return true;
 }
