@@ -67,7 +67,7 @@ struct Voxels
     filter->SetController(nullptr);
     filter->SetInputDataObject(this->Image);
     filter->Update();
-    const auto histogram = vtkSmartPointer<vtkTFCSparseHistogram>::New();
+    auto histogram = vtkSmartPointer<vtkTFCSparseHistogram>::New();
     histogram->DeepCopy(filter->GetHistogram());
     return histogram;
   }
