@@ -12,8 +12,8 @@
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkTFCClassifier.h"
 #include "vtkTFCRegion.h"
+#include "vtkTFCRegionHistograms.h"
 #include "vtkTFCSparseHistogram.h"
 #include "vtkTFCTransferFunction.h"
 
@@ -324,35 +324,50 @@ pqTFCAxis pqTFCDocument::axis(int index, const double ranges[4]) const
 }
 
 //-----------------------------------------------------------------------------
-vtkTFCSparseHistogram* pqTFCDocument::plane()
+bool pqTFCDocument::histogramAxes(vtkTFCRegion* region, std::vector<pqTFCAxis>& axes) const
 {
   double ranges[4];
-  const auto known = [this](int i)
+  const auto known = [this](const std::string& array, int component)
+  { return this->findAttribute(array, component) != nullptr; };
+  if (!this->axisRanges(ranges) ||
+    !known(this->Model->GetAxisArray(0), this->Model->GetAxisComponent(0)) ||
+    !known(this->Model->GetAxisArray(1), this->Model->GetAxisComponent(1)) ||
+    (region &&
+      (!region->HasTertiary() ||
+        !known(region->GetTertiaryArray(), region->GetTertiaryComponent()))))
   {
-    return this->findAttribute(this->Model->GetAxisArray(i), this->Model->GetAxisComponent(i)) !=
-      nullptr;
-  };
-  if (!this->axisRanges(ranges) || !known(0) || !known(1))
-  {
-    return nullptr;
+    return false;
   }
-  return this->Cache.request(this->axis(0, ranges), this->axis(1, ranges), pqTFCAxis());
+  axes = { this->axis(0, ranges), this->axis(1, ranges), pqTFCAxis() };
+  if (region)
+  {
+    axes[2].Array = region->GetTertiaryArray();
+    axes[2].Component = region->GetTertiaryComponent();
+    this->tertiaryRange(region, axes[2].Range);
+  }
+  return true;
+}
+
+//-----------------------------------------------------------------------------
+vtkTFCSparseHistogram* pqTFCDocument::plane()
+{
+  std::vector<pqTFCAxis> axes;
+  return this->histogramAxes(nullptr, axes) ? this->Cache.request(axes) : nullptr;
 }
 
 //-----------------------------------------------------------------------------
 vtkTFCSparseHistogram* pqTFCDocument::joint(vtkTFCRegion* region)
 {
-  double ranges[4];
-  if (!region->HasTertiary() || !this->plane() || !this->axisRanges(ranges) ||
-    !this->findAttribute(region->GetTertiaryArray(), region->GetTertiaryComponent()))
-  {
-    return nullptr;
-  }
-  pqTFCAxis tertiary;
-  tertiary.Array = region->GetTertiaryArray();
-  tertiary.Component = region->GetTertiaryComponent();
-  this->tertiaryRange(region, tertiary.Range);
-  return this->Cache.request(this->axis(0, ranges), this->axis(1, ranges), tertiary);
+  // After the plane: what is seen first comes first.
+  std::vector<pqTFCAxis> axes;
+  return this->plane() && this->histogramAxes(region, axes) ? this->Cache.request(axes) : nullptr;
+}
+
+//-----------------------------------------------------------------------------
+bool pqTFCDocument::isStale(vtkTFCRegion* region) const
+{
+  std::vector<pqTFCAxis> axes;
+  return this->histogramAxes(region, axes) && this->Cache.isWanted(axes);
 }
 
 //-----------------------------------------------------------------------------
@@ -364,38 +379,7 @@ bool pqTFCDocument::conditional(vtkTFCRegion* region, std::vector<double>& count
   {
     return false;
   }
-  const int nx = histogram->GetNumberOfBins(0);
-  const int ny = histogram->GetNumberOfBins(1);
-  // A copy that takes part whatever the original does: the histogram of a hidden region is wanted
-  // as well, and the weight without opacity and tertiary function.
-  vtkNew<vtkTFCTransferFunction> one;
-  one->SetAxis(0, this->Model->GetAxisArray(0).c_str(), this->Model->GetAxisComponent(0));
-  one->SetAxis(1, this->Model->GetAxisArray(1).c_str(), this->Model->GetAxisComponent(1));
-  vtkNew<vtkTFCRegion> copy;
-  copy->DeepCopy(region);
-  copy->RemoveTertiary();
-  copy->SetVisible(true);
-  copy->SetOpacity(1);
-  one->AddRegion(copy);
-  const vtkTFCCompiledModel model = one->Compile(ranges);
-  std::vector<float> weights(static_cast<size_t>(nx) * ny, 0.F);
-  if (!model.Regions.empty())
-  {
-    std::vector<double> x(weights.size());
-    std::vector<double> y(weights.size());
-    for (int j = 0; j < ny; ++j)
-    {
-      for (int i = 0; i < nx; ++i)
-      {
-        x[static_cast<size_t>(j) * nx + i] = histogram->GetBinCenter(0, i);
-        y[static_cast<size_t>(j) * nx + i] = histogram->GetBinCenter(1, j);
-      }
-    }
-    const double* attributes[2] = { x.data(), y.data() };
-    vtkTFCClassifier(model).Classify(weights.size(), attributes, nullptr, nullptr, weights.data());
-  }
-  counts.assign(histogram->GetNumberOfBins(2), 0);
-  histogram->GetConditional(weights.data(), counts.data());
+  counts = vtkTFCRegionHistograms::MakeConditional(histogram, this->Model, region, ranges);
   histogram->GetRange(2, range);
   return true;
 }

@@ -93,7 +93,9 @@ public:
   vtkTFCSparseHistogram* plane();
   vtkTFCSparseHistogram* joint(vtkTFCRegion* region);
   bool conditional(vtkTFCRegion* region, std::vector<double>& counts, double range[2]);
-  bool isStale() const { return this->Cache.isStale(); }
+  /// Whether plane(), or joint() of a region, was requested and is still to come.
+  bool isStale(vtkTFCRegion* region) const;
+  bool isFetching() const { return this->Cache.isFetching(); }
   void fetchNow() { this->Cache.fetchNow(); }
   ///@}
 
@@ -121,6 +123,7 @@ private:
 
   void collectAttributes();
   pqTFCAxis axis(int index, const double ranges[4]) const;
+  bool histogramAxes(vtkTFCRegion* region, std::vector<pqTFCAxis>& axes) const;
 
   vtkNew<vtkTFCTransferFunction> Model;
   vtkNew<vtkEventQtSlotConnect> Events;

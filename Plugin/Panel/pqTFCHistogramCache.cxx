@@ -30,6 +30,8 @@ constexpr int JOINT_BINS = 128;
 constexpr int TERTIARY_BINS = 64;
 constexpr size_t MOST_ENTRIES = 12;
 constexpr int DELAY = 150; // ms: after the view was drawn
+constexpr int PAUSE = 10;  // ms: between two, for events
+constexpr int MOST_AT_ONCE = 8;
 
 // Bins of whole numbers hold equally many of them, where a number of bins near the wanted one
 // allows that: otherwise the histogram has stripes.
@@ -78,7 +80,6 @@ pqTFCHistogramCache::pqTFCHistogramCache(QObject* parentObject)
   : Superclass(parentObject)
 {
   this->Timer.setSingleShot(true);
-  this->Timer.setInterval(DELAY);
   QObject::connect(&this->Timer, &QTimer::timeout, this, &pqTFCHistogramCache::fetch);
   // The hidden filter must not keep alive what the user deletes.
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
@@ -133,34 +134,37 @@ void pqTFCHistogramCache::setStale()
   {
     entry.second.Stale = true;
   }
+  if (this->Timer.isActive())
+  {
+    // An animation: not before it rests.
+    this->Timer.start(DELAY);
+  }
 }
 
 //-----------------------------------------------------------------------------
-bool pqTFCHistogramCache::isStale() const
+bool pqTFCHistogramCache::isWanted(const Key& key) const
 {
-  return !this->Wanted.empty();
+  return std::any_of(this->Wanted.begin(), this->Wanted.end(),
+    [&key](const Key& other) { return !(key < other) && !(other < key); });
 }
 
 //-----------------------------------------------------------------------------
-vtkTFCSparseHistogram* pqTFCHistogramCache::request(const pqTFCAxis& primary,
-  const pqTFCAxis& secondary, const pqTFCAxis& tertiary)
+vtkTFCSparseHistogram* pqTFCHistogramCache::request(const Key& key)
 {
   if (!this->Port)
   {
     return nullptr;
   }
-  const Key key = { primary, secondary, tertiary };
   const auto found = this->Entries.find(key);
   if (found == this->Entries.end() || found->second.Stale)
   {
-    const auto equal = [&key](const Key& other) { return !(key < other) && !(other < key); };
-    if (std::none_of(this->Wanted.begin(), this->Wanted.end(), equal))
+    if (!this->isWanted(key))
     {
       this->Wanted.push_back(key);
     }
-    if (!this->Paused)
+    if (!this->Paused && !this->Timer.isActive())
     {
-      this->Timer.start();
+      this->Timer.start(DELAY);
     }
   }
   if (found == this->Entries.end())
@@ -181,15 +185,18 @@ void pqTFCHistogramCache::setPaused(bool paused)
   }
   else if (!this->Wanted.empty())
   {
-    this->Timer.start();
+    this->Timer.start(DELAY);
   }
 }
 
 //-----------------------------------------------------------------------------
 void pqTFCHistogramCache::fetchNow()
 {
-  this->Timer.stop();
-  this->fetch();
+  // What arrives may make others wanted.
+  for (int i = 0; i < MOST_AT_ONCE && !this->Wanted.empty() && !this->Paused; ++i)
+  {
+    this->fetch();
+  }
 }
 
 //-----------------------------------------------------------------------------
@@ -225,23 +232,25 @@ vtkSmartPointer<vtkTFCSparseHistogram> pqTFCHistogramCache::compute(const Key& k
 //-----------------------------------------------------------------------------
 void pqTFCHistogramCache::fetch()
 {
-  if (!this->Port || this->Paused)
+  this->Timer.stop();
+  if (!this->Port || this->Paused || this->Wanted.empty())
   {
     return;
   }
-  std::vector<Key> wanted;
-  wanted.swap(this->Wanted);
-  for (const Key& key : wanted)
+  const Key key = this->Wanted.front();
+  this->Wanted.erase(this->Wanted.begin());
+  if (vtkSmartPointer<vtkTFCSparseHistogram> histogram = this->compute(key))
   {
-    if (vtkSmartPointer<vtkTFCSparseHistogram> histogram = this->compute(key))
-    {
-      this->Entries[key] = { histogram, false, ++this->Uses };
-    }
+    this->Entries[key] = { histogram, false, ++this->Uses };
   }
   while (this->Entries.size() > MOST_ENTRIES)
   {
     this->Entries.erase(std::min_element(this->Entries.begin(), this->Entries.end(),
       [](const auto& a, const auto& b) { return a.second.LastUse < b.second.LastUse; }));
+  }
+  if (!this->Wanted.empty())
+  {
+    this->Timer.start(PAUSE);
   }
   Q_EMIT this->arrived();
 }

@@ -5,8 +5,9 @@
  * @brief Joint histograms from the server, kept on the client.
  *
  * request() answers at once from what is there. When the histogram is not there, or older than the
- * data, it is fetched a little later, outside of any drag, because fetching blocks the window
- * (ParaView 5.11 handles no events while a server works); arrived() is emitted then. One hidden
+ * data, it is fetched a little later, outside of any drag and not while the data change again and
+ * again, because fetching blocks the window (ParaView 5.11 handles no events while a server works):
+ * one histogram at a time, with arrived() after each. One hidden
  * filter per input stays on the server; only histograms are sent, never data.
  */
 
@@ -51,17 +52,23 @@ public:
 
   /// The data changed: what is there stays until it is fetched anew.
   void setStale();
-  bool isStale() const;
 
-  /// A histogram of two or (with an array name in the third) three axes; null when it is not there
-  /// yet. What is returned may be stale.
-  vtkTFCSparseHistogram* request(const pqTFCAxis& primary, const pqTFCAxis& secondary,
-    const pqTFCAxis& tertiary);
+  /// Three axes; the third without an array name stands for a histogram of two.
+  using Key = std::vector<pqTFCAxis>;
+
+  /// A histogram; null when it is not there yet. What is returned may be stale.
+  vtkTFCSparseHistogram* request(const Key& key);
+
+  ///@{
+  /// Whether this one, or any, was requested and is still to come.
+  bool isWanted(const Key& key) const;
+  bool isFetching() const { return !this->Wanted.empty(); }
+  ///@}
 
   /// Nothing is fetched while something is dragged.
   void setPaused(bool paused);
 
-  /// Fetch what is wanted now instead of in a moment.
+  /// Fetch all that is wanted now instead of in a moment.
   void fetchNow();
 
 Q_SIGNALS:
@@ -74,7 +81,6 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqTFCHistogramCache)
 
-  using Key = std::vector<pqTFCAxis>;
   struct Entry
   {
     vtkSmartPointer<vtkTFCSparseHistogram> Histogram;

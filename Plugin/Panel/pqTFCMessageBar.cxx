@@ -39,7 +39,6 @@ pqTFCMessageBar::pqTFCMessageBar(pqTFCDocument* document, QWidget* parentObject)
       this->refresh();
     });
   QObject::connect(document, &pqTFCDocument::targetChanged, this, &pqTFCMessageBar::refresh);
-  QObject::connect(document, &pqTFCDocument::histogramsChanged, this, &pqTFCMessageBar::refresh);
   QObject::connect(document, &pqTFCDocument::said, this, &pqTFCMessageBar::say);
   this->refresh();
 }
@@ -71,8 +70,12 @@ void pqTFCMessageBar::refresh()
     case pqTFCStateLink::NoData:
       text = tr("Select a volume in the Pipeline Browser to edit its transfer function.");
       break;
+    case pqTFCStateLink::NotHere:
+      text = tr("Click on a render view, or make one, to show the selected data in it.");
+      break;
     case pqTFCStateLink::NotShown:
-      text = tr("Show the selected data in a render view first.");
+      text = tr("The selected data are not shown in this view.");
+      button = tr("Show as Combined Volume");
       break;
     case pqTFCStateLink::NotAnImage:
       text = tr("Combined transfer functions draw uniform grids. This makes one of the data:");
@@ -101,10 +104,6 @@ void pqTFCMessageBar::refresh()
       {
         text = tr("Choose the two axes below the chart.");
       }
-      else if (this->Document->isStale())
-      {
-        text = tr("The histogram is out of date and will follow.");
-      }
       break;
   }
   if (!this->Said.isEmpty())
@@ -123,6 +122,7 @@ void pqTFCMessageBar::act()
 {
   switch (this->Document->link()->situation())
   {
+    case pqTFCStateLink::NotShown:
     case pqTFCStateLink::OtherType:
       this->Document->link()->makeCombinedVolume();
       break;

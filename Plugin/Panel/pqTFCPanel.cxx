@@ -23,6 +23,8 @@
 #include "vtkTFCSparseHistogram.h"
 #include "vtkTFCTransferFunction.h"
 
+#include <QCoreApplication>
+#include <QDeadlineTimer>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QLabel>
@@ -32,6 +34,11 @@
 #include <QVBoxLayout>
 
 #include <cmath>
+
+namespace
+{
+constexpr int LONGEST_WAIT = 10000; // ms
+}
 
 //-----------------------------------------------------------------------------
 pqTFCPanel::pqTFCPanel(QWidget* parentObject)
@@ -230,6 +237,17 @@ QString pqTFCPanel::probe() const
 }
 
 //-----------------------------------------------------------------------------
+bool pqTFCPanel::isFresh() const
+{
+  const QDeadlineTimer deadline(LONGEST_WAIT);
+  while (this->Document->isFetching() && !deadline.hasExpired())
+  {
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, LONGEST_WAIT);
+  }
+  return !this->Document->isFetching();
+}
+
+//-----------------------------------------------------------------------------
 QString pqTFCPanel::probedTertiary() const
 {
   return std::isnan(this->Mark->value()) ? QString()
@@ -312,9 +330,19 @@ void pqTFCPanel::updateChart()
   {
     chart->GetHistogram()->SetCounts(nullptr, 0, 0, { { 0, 1, 0, 1 } });
   }
-  chart->SetMessage(ready && !plane
-      ? (this->Document->isStale() ? "Histogram follows ..." : "No such array in the data")
-      : "");
+  const bool isWanted = ready && this->Document->isStale(nullptr);
+  QString note;
+  if (isWanted)
+  {
+    note = plane ? tr("Out of date: the histogram follows ...") : tr("The histogram follows ...");
+  }
+  else if (ready && !plane)
+  {
+    note = tr("No such array in the data");
+  }
+  this->StaleNotes += isWanted && plane && !this->StaleShown ? 1 : 0;
+  this->StaleShown = isWanted && plane;
+  chart->SetMessage(note.toStdString());
   chart->SetSelection(this->Document->selection());
   this->Chart->renderLater();
 }

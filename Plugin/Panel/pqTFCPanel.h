@@ -43,6 +43,8 @@ class pqTFCPanel : public QDockWidget
   Q_PROPERTY(double millisecondsPerEvent READ millisecondsPerEvent)
   Q_PROPERTY(QString probe READ probe)
   Q_PROPERTY(QString probedTertiary READ probedTertiary)
+  Q_PROPERTY(bool fresh READ isFresh)
+  Q_PROPERTY(int staleNotes READ staleNotes)
   Q_PROPERTY(int highlighted READ highlighted)
 
 public:
@@ -62,6 +64,11 @@ public:
 
   /// What the last click into the view found; empty while the probe is off.
   QString probe() const;
+
+  /// Waits until the histograms have come by themselves; false when they do not.
+  bool isFresh() const;
+  /// How often the chart has said that its histogram is out of date.
+  int staleNotes() const { return this->StaleNotes; }
 
   /// Value and place of the mark over the 1D function, 0.0 to 1.0; empty while there is none.
   QString probedTertiary() const;
@@ -99,6 +106,8 @@ private:
   pqTFCHighlight* Highlight;
   QStringList States; ///< in the order of stateNumber()
   QString EditLabel;  ///< of the edit that goes on in the chart
+  int StaleNotes = 0;
+  bool StaleShown = false;
 };
 
 #endif

@@ -7,15 +7,18 @@
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
+#include "pqRenderView.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkEventQtSlotConnect.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyLocator.h"
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSMTrace.h"
@@ -49,7 +52,6 @@ pqTFCStateLink::pqTFCStateLink(QObject* parentObject)
     &pqTFCStateLink::updateTarget);
   QObject::connect(&active, &pqActiveObjects::viewChanged, this, &pqTFCStateLink::updateTarget);
   QObject::connect(&active, &pqActiveObjects::portChanged, this, &pqTFCStateLink::updateTarget);
-  QObject::connect(&active, &pqActiveObjects::dataUpdated, this, &pqTFCStateLink::dataChanged);
   QObject::connect(&active, &pqActiveObjects::dataUpdated, this, &pqTFCStateLink::updateTarget);
   // After a state file was loaded nothing is active.
   QObject::connect(pqApplicationCore::instance(),
@@ -117,7 +119,19 @@ void pqTFCStateLink::updateTarget()
   {
     this->Events->Disconnect();
     this->Editing = false;
+    if (this->Source)
+    {
+      QObject::disconnect(this->Source, nullptr, this, nullptr);
+    }
     this->Representation = target;
+    // Not that of pqActiveObjects: after a state file was loaded, no source is active.
+    this->Source = target ? target->getInput() : nullptr;
+    if (this->Source)
+    {
+      QObject::connect(this->Source.data(),
+        QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), this,
+        &pqTFCStateLink::dataChanged);
+    }
     if (target && target->getProxy()->GetProperty(PROPERTY))
     {
       this->Events->Connect(target->getProxy()->GetProperty(PROPERTY), vtkCommand::ModifiedEvent,
@@ -146,7 +160,12 @@ pqTFCStateLink::Situation pqTFCStateLink::situation() const
   }
   if (!this->Representation)
   {
-    return pqActiveObjects::instance().activePort() ? NotShown : NoData;
+    pqActiveObjects& active = pqActiveObjects::instance();
+    if (!active.activePort())
+    {
+      return NoData;
+    }
+    return qobject_cast<pqRenderView*>(active.activeView()) ? NotShown : NotHere;
   }
   vtkSMProperty* type = this->proxy()->GetProperty("Representation");
   auto* types = type ? type->FindDomain<vtkSMStringListDomain>() : nullptr;
@@ -225,15 +244,32 @@ void pqTFCStateLink::commit(const QString& state, const QString& label)
 }
 
 //-----------------------------------------------------------------------------
+void pqTFCStateLink::show()
+{
+  pqActiveObjects& active = pqActiveObjects::instance();
+  pqOutputPort* port = active.activePort();
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  controller->Show(vtkSMSourceProxy::SafeDownCast(port->getSource()->getProxy()),
+    port->getPortNumber(), active.activeView()->getViewProxy());
+  active.activeView()->resetDisplay();
+  this->updateTarget();
+}
+
+//-----------------------------------------------------------------------------
 bool pqTFCStateLink::makeCombinedVolume()
 {
+  // With what show() does, one step of undo.
+  SCOPED_UNDO_SET(tr("Show as Combined Volume"));
+  if (this->situation() == NotShown)
+  {
+    this->show();
+  }
   if (this->situation() != OtherType)
   {
     return this->situation() == Ready;
   }
   vtkSMProxy* target = this->proxy();
   {
-    SCOPED_UNDO_SET(tr("Show as Combined Volume"));
     SM_SCOPED_TRACE(CallMethod).arg(target).arg("SetRepresentationType").arg(TYPE);
     vtkSMRepresentationProxy::SetRepresentationType(target, TYPE);
     vtkSMPropertyHelper(target, "Visibility").Set(1);

@@ -24,6 +24,7 @@
 
 class pqDataRepresentation;
 class pqOutputPort;
+class pqPipelineSource;
 class vtkEventQtSlotConnect;
 class vtkPVDataInformation;
 class vtkSMProxy;
@@ -41,7 +42,8 @@ public:
   enum Situation
   {
     NoData,     ///< no source is selected
-    NotShown,   ///< the source has no representation in the view, or none that can change
+    NotHere,    ///< the source has no representation in the view, which is none of 3D
+    NotShown,   ///< nor in this one, where it can be shown
     NotAnImage, ///< the type cannot be offered for such data
     NoPlugin,   ///< the server does not know the type
     OtherType,  ///< a uniform grid in another representation
@@ -61,7 +63,8 @@ public:
   void commit(const QString& state, const QString& label);
   bool isEditing() const { return this->Editing; }
 
-  /// Make the active data a "Combined Volume", as one undo step. True when it is one now.
+  /// Make the active data a "Combined Volume", as one undo step, and show them in the active view
+  /// where they are not. True when it is one now.
   bool makeCombinedVolume();
 
   /// Draw the view again: quickly while something is dragged.
@@ -86,8 +89,10 @@ private:
   vtkSMProxy* proxy() const;
   void write(const QString& state);
   pqDataRepresentation* findTarget() const;
+  void show();
 
   QPointer<pqDataRepresentation> Representation;
+  QPointer<pqPipelineSource> Source; ///< its input
   vtkNew<vtkEventQtSlotConnect> Events;
   QString Before; ///< the property at begin()
   bool Editing = false;

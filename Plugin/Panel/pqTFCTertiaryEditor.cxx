@@ -262,7 +262,9 @@ void pqTFCTertiaryEditor::showHistogram(vtkTFCRegion* region)
   table->AddColumn(centers);
   table->AddColumn(values);
   this->Opacity->setHistogramTable(table);
-  this->Caption->setText(tr("%L1 voxels").arg(std::round(this->Total), 0, 'f', 0));
+  const QString voxels = tr("%L1 voxels").arg(std::round(this->Total), 0, 'f', 0);
+  this->Caption->setText(
+    this->Document->isStale(region) ? tr("%1 (out of date)").arg(voxels) : voxels);
 }
 
 //-----------------------------------------------------------------------------

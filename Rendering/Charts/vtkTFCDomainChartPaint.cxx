@@ -221,8 +221,19 @@ void vtkTFCDomainChart::PaintMessage(vtkContext2D* painter)
   const double ink = this->Mapping.Dark ? 0.75 : 0.35;
   text->SetColor(ink, ink, ink);
   const auto& plot = this->Mapping.Plot;
-  painter->DrawString(static_cast<float>(plot[0] + plot[2] / 2),
-    static_cast<float>(plot[1] + plot[3] / 2), this->Message.c_str());
+  const auto x = static_cast<float>(plot[0] + plot[2] / 2);
+  const auto y = static_cast<float>(plot[1] + plot[3] / 2);
+  // On a ground of its own: there may be a histogram below.
+  std::array<float, 4> box;
+  painter->ComputeStringBounds(this->Message.c_str(), box.data());
+  const auto width = static_cast<float>(box[2] + 12 * this->Mapping.Scale);
+  const auto height = static_cast<float>(box[3] + 8 * this->Mapping.Scale);
+  const double ground = this->Mapping.Dark ? 0.13 : 1.0;
+  painter->GetPen()->SetOpacityF(0);
+  painter->GetBrush()->SetColorF(ground, ground, ground, 0.8);
+  painter->DrawRect(x - width / 2, y - height / 2, width, height);
+  painter->GetPen()->SetOpacityF(1);
+  painter->DrawString(x, y, this->Message.c_str());
 }
 
 bool vtkTFCDomainChart::Paint(vtkContext2D* painter)

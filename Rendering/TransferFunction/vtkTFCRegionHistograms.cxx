@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace
 {
@@ -42,6 +43,28 @@ void Minimum(vtkMultiProcessController* controller, std::vector<double>& values)
     controller->AllReduce(local.data(), values.data(), static_cast<vtkIdType>(values.size()),
       vtkCommunicator::MIN_OP);
   }
+}
+
+//------------------------------------------------------------------------------
+// The weight of the only region of `model` in the middle of every bin of the plane.
+std::vector<float> FindWeights(vtkTFCCompiledModel model, const vtkTFCSparseHistogram* plane)
+{
+  const auto columns = static_cast<size_t>(plane->GetNumberOfBins(0));
+  const size_t cells = columns * static_cast<size_t>(plane->GetNumberOfBins(1));
+  std::vector<double> x(cells), y(cells);
+  for (size_t cell = 0; cell < cells; ++cell)
+  {
+    x[cell] = plane->GetBinCenter(0, static_cast<int>(cell % columns));
+    y[cell] = plane->GetBinCenter(1, static_cast<int>(cell / columns));
+  }
+  // Alone, opaque and without tertiary function, a region's opacity is its weight.
+  model.Blend = vtkTFCBlendType::Mix;
+  model.Regions[0].Tertiary = -1;
+  model.Regions[0].Opacity = 1;
+  const double* axes[2] = { x.data(), y.data() };
+  std::vector<float> weights(cells);
+  vtkTFCClassifier(std::move(model)).Classify(cells, axes, nullptr, nullptr, weights.data());
+  return weights;
 }
 
 //------------------------------------------------------------------------------
@@ -310,28 +333,42 @@ std::string vtkTFCRegionHistograms::Update(vtkDataObject* input, vtkTFCTransferF
 //------------------------------------------------------------------------------
 void vtkTFCRegionHistograms::FillWeights(vtkTFCCompiledModel model)
 {
-  const auto bins = static_cast<size_t>(this->Bins);
   const vtkTFCSparseHistogram* plane = this->GetJoint();
-  std::vector<double> x(bins * bins), y(bins * bins);
-  for (size_t cell = 0; cell < bins * bins; ++cell)
-  {
-    x[cell] = plane->GetBinCenter(0, static_cast<int>(cell % bins));
-    y[cell] = plane->GetBinCenter(1, static_cast<int>(cell / bins));
-  }
-  // A region alone, opaque and without tertiary function: its opacity is its weight.
   std::vector<vtkTFCCompiledRegion> regions;
   regions.swap(model.Regions);
-  model.Blend = vtkTFCBlendType::Mix;
-  const double* axes[2] = { x.data(), y.data() };
   this->Ids.clear();
-  this->Weights.assign(regions.size(), std::vector<float>(bins * bins));
-  for (size_t r = 0; r < regions.size(); ++r)
+  this->Weights.clear();
+  for (const vtkTFCCompiledRegion& region : regions)
   {
-    this->Ids.push_back(regions[r].Id);
-    regions[r].Tertiary = -1;
-    model.Regions = { regions[r] };
-    vtkTFCClassifier(model).Classify(bins * bins, axes, nullptr, nullptr, this->Weights[r].data());
+    this->Ids.push_back(region.Id);
+    model.Regions = { region };
+    this->Weights.push_back(FindWeights(model, plane));
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkTFCRegionHistograms::MakeConditional(const vtkTFCSparseHistogram* histogram,
+  const vtkTFCTransferFunction* model, vtkTFCRegion* region, const double ranges[4])
+{
+  // A copy that takes part whatever the original does.
+  vtkNew<vtkTFCTransferFunction> one;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    one->SetAxis(axis, model->GetAxisArray(axis).c_str(), model->GetAxisComponent(axis));
+  }
+  vtkNew<vtkTFCRegion> copy;
+  copy->DeepCopy(region);
+  copy->SetVisible(true);
+  copy->SetOpacity(1);
+  one->AddRegion(copy);
+  std::vector<double> counts(static_cast<size_t>(histogram->GetNumberOfBins(2)), 0.);
+  const vtkTFCCompiledModel compiled = one->Compile(ranges);
+  // A shape may be too thin to take part.
+  if (!compiled.Regions.empty())
+  {
+    histogram->GetConditional(FindWeights(compiled, histogram).data(), counts.data());
+  }
+  return counts;
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,7 @@ class vtkDataObject;
 class vtkDataSet;
 class vtkMultiProcessController;
 class vtkTFCJointHistogram;
+class vtkTFCRegion;
 class vtkTFCSparseHistogram;
 class vtkTFCTransferFunction;
 
@@ -88,6 +89,15 @@ public:
    * visible ones.
    */
   Conditional GetExtra(size_t index, size_t region) const;
+
+  /**
+   * The histogram of the third axis of `histogram` over one region of `model`: every count times
+   * the weight, of shape and fall-off alone, in the middle of its bin of the plane. Visibility,
+   * opacity and tertiary function of the region play no part. `ranges` are those of the axes as
+   * vtkTFCTransferFunction::ResolveRanges() returns them. Cost: cells and entries, not voxels.
+   */
+  static std::vector<double> MakeConditional(const vtkTFCSparseHistogram* histogram,
+    const vtkTFCTransferFunction* model, vtkTFCRegion* region, const double ranges[4]);
 
   /**
    * How a table names an attribute.

@@ -1,18 +1,32 @@
 # SPDX-FileCopyrightText: the Transfer Function Combinations developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plays a test of the GUI back against a server: the same edits give the same states and counts.
+"""Plays a test of the GUI back without a server and against one: the same edits give the same
+states and counts, the same pictures, and no messages.
 
-    python3 remote.py PLUGIN EVENTS.xml PARAVIEW SERVER...
+    /usr/bin/python3 remote.py PLUGIN EVENTS.xml PARAVIEW SERVER...
 
 SERVER is the command line of a pvserver, with an MPI launcher before it for several processes.
+Pictures are what the events save as PNG files in $PARAVIEW_TEST_ROOT.
 """
 import os
+import re
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Python"))
+import pictures  # noqa: E402
+
 TIMEOUT = 150  # s
+LARGEST_DIFFERENCE = 0.5  # mean over all pixels and channels, of 255
+MESSAGES = re.compile(r"ERR\||WARN\||Failed to load|critical:|Traceback")
+# With --server-url, ParaView 5.11 reads the definitions that the server sends before it loads the
+# plugin on its own side, and then does not know the classes of the plugin's domains.
+EXPECTED = re.compile(r"vtkSMProperty\.cxx:\d+ +ERR\| \w+ \(0x[0-9a-f]+\): "
+                      r"Could not create object of type: vtkSMTFC\w+\. "
+                      r"Did you specify wrong xml element\?")
 
 
 def free_port():
@@ -36,21 +50,62 @@ def wait_for(port, server):
     sys.exit("the server does not listen")
 
 
+def check_messages(output):
+    """Show what a process wrote; ends the test when it reports anything."""
+    print(output, flush=True)
+    unexpected = [line for line in output.splitlines()
+                  if MESSAGES.search(line) and not EXPECTED.search(line)]
+    if unexpected:
+        sys.exit("reported: " + unexpected[0])
+
+
+def play(command, folder):
+    """Play back, with pictures into the folder."""
+    result = subprocess.run(
+        command + ["--test-directory=" + folder, "--exit"], timeout=TIMEOUT, check=False,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+    check_messages(result.stdout)
+    if result.returncode:
+        sys.exit("the playback ended with %d" % result.returncode)
+
+
+def compare(local, remote):
+    """The pictures in two folders."""
+    names = sorted(name for name in os.listdir(local) if name.endswith(".png"))
+    if not names:
+        sys.exit("the events save no picture")
+    for name in names:
+        here = pictures.read(os.path.join(local, name))
+        there = pictures.read(os.path.join(remote, name))
+        if here.shape != there.shape:
+            sys.exit("%s: %s pixels here, %s there" % (name, here.shape, there.shape))
+        # Most of a picture is background: a volume that is not drawn must not pass.
+        shown = abs(here - here[0, 0]).max(axis=2) > 8
+        difference = pictures.difference(here[shown], there[shown])
+        print("%s: mean difference %.3f/255 over %d pixels" % (name, difference, shown.sum()))
+        if shown.sum() < 1000 or difference > LARGEST_DIFFERENCE:
+            sys.exit("%s: not the same picture" % name)
+
+
 def main():
     plugin, events, paraview = sys.argv[1:4]
-    options = ["--plugin-search-paths=" + os.path.dirname(plugin),
+    options = ["--plugin-search-paths=" + os.path.join(os.path.dirname(plugin), ".."),
                "--plugins=TransferFunctionCombinations"]
+    command = [paraview, "--dr", "--test-script=" + events] + options
     port = free_port()
-    with subprocess.Popen(sys.argv[4:] + options + ["--server-port=%d" % port]) as server:
-        try:
-            wait_for(port, server)
-            result = subprocess.run(
-                [paraview, "--dr", "--server-url=cs://localhost:%d" % port,
-                 "--test-script=" + events, "--exit"] + options,
-                timeout=TIMEOUT, check=False)
-        finally:
-            server.terminate()
-    sys.exit(result.returncode)
+    with tempfile.TemporaryDirectory() as local, tempfile.TemporaryDirectory() as remote, \
+            tempfile.TemporaryFile("w+", errors="replace") as log:
+        play(command, local)
+        with subprocess.Popen(sys.argv[4:] + options + ["--server-port=%d" % port], stdout=log,
+                              stderr=subprocess.STDOUT) as server:
+            try:
+                wait_for(port, server)
+                play(command + ["--server-url=cs://localhost:%d" % port], remote)
+                log.seek(0)
+                check_messages(log.read())
+            finally:
+                server.terminate()
+        compare(local, remote)
 
 
 main()
