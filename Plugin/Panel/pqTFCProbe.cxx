@@ -10,6 +10,7 @@
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkTFCTableInformation.h"
@@ -210,6 +211,11 @@ void pqTFCProbe::pick(double x, double y)
       vtkSMPropertyHelper(filter, "StartPoint").Set(line[0].data(), 3);
       vtkSMPropertyHelper(filter, "EndPoint").Set(line[1].data(), 3);
       vtkSMPropertyHelper(filter, "Transform").Set(transform.data(), 16);
+      for (const char* name :
+        { "UseCropping", "CroppingOrigin", "CroppingScale", "CroppingRegionFlags" })
+      {
+        filter->GetProperty(name)->Copy(proxy->GetProperty(name));
+      }
       copy("UnitDistance", "ScalarOpacityUnitDistance");
       copy("SampleDistance", "SampleDistance");
     },

@@ -4,6 +4,7 @@
 
 #include "vtkTFCClassifier.h"
 #include "vtkTFCDistributedImage.h"
+#include "vtkTFCProbeCropping.h"
 #include "vtkTFCProbeTables.h"
 #include "vtkTFCRaySampler.h"
 #include "vtkTFCTransferFunction.h"
@@ -15,6 +16,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -44,8 +46,8 @@ Point Along(const Point& start, const Point& direction, double t)
 }
 
 //------------------------------------------------------------------------------
-// The images of an input; a text when there is something else in it.
-std::string CollectImages(vtkDataObject* input, std::vector<vtkImageData*>& images)
+// The images and rectilinear grids of an input; a text when there is something else in it.
+std::string CollectGrids(vtkDataObject* input, std::vector<vtkDataSet*>& grids)
 {
   std::vector<vtkDataSet*> parts;
   if (vtkCompositeDataSet::SafeDownCast(input))
@@ -58,15 +60,16 @@ std::string CollectImages(vtkDataObject* input, std::vector<vtkImageData*>& imag
   }
   for (vtkDataSet* part : parts)
   {
-    auto* image = vtkImageData::SafeDownCast(part);
-    if (!image && part->GetNumberOfPoints() > 0)
+    const bool known = vtkImageData::SafeDownCast(part) || vtkRectilinearGrid::SafeDownCast(part);
+    if (!known && part->GetNumberOfPoints() > 0)
     {
       return std::string("The input holds a ") + part->GetClassName() +
-        ". Only images (vtkImageData) can be probed; the filter Resample To Image makes one.";
+        ". Only images and rectilinear grids can be probed; the filter Resample To Image makes an "
+        "image.";
     }
-    if (image && image->GetNumberOfPoints() > 0)
+    if (known && part->GetNumberOfPoints() > 0)
     {
-      images.push_back(image);
+      grids.push_back(part);
     }
   }
   return {};
@@ -77,9 +80,10 @@ std::string CollectImages(vtkDataObject* input, std::vector<vtkImageData*>& imag
 class Line
 {
 public:
-  Line(const vtkTFCClassifier& classifier, const Point& start, const Point& direction,
-    double length, double step, double unit)
+  Line(const vtkTFCClassifier& classifier, const vtkTFCProbeCropping& cropping, const Point& start,
+    const Point& direction, double length, double step, double unit)
     : Classifier(classifier)
+    , Cropping(cropping)
     , Start(start)
     , Direction(direction)
     , Length(length)
@@ -106,7 +110,7 @@ public:
     const double end = std::min({ (index + 1.0) * this->Step, inside[1], this->Length });
     middle = 0.5 * (begin + end);
     length = end - begin;
-    return length > 0.0;
+    return length > 0.0 && !this->Cropping.Hides(image.FindAxisPosition(this->GetPoint(middle)));
   }
 
   /// Optical depth of piece `index` in an image.
@@ -135,6 +139,7 @@ public:
 
 private:
   const vtkTFCClassifier& Classifier;
+  const vtkTFCProbeCropping& Cropping;
   Point Start;
   Point Direction;
   double Length;
@@ -244,26 +249,54 @@ std::string vtkTFCRayProbe::CheckSettings() const
 }
 
 //------------------------------------------------------------------------------
+// The planes by the bounds of the data on all processes.
+vtkTFCProbeCropping vtkTFCRayProbe::FindCropping(const std::vector<vtkTFCRaySampler>& samplers,
+  const vtkTFCDistributedImage& peers) const
+{
+  double ends[6]; // upper ones negated
+  std::fill(ends, ends + 6, std::numeric_limits<double>::infinity());
+  for (const auto& sampler : samplers)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto bounds = sampler.GetAxisBounds(axis);
+      ends[2 * axis] = std::min(ends[2 * axis], bounds[0]);
+      ends[2 * axis + 1] = std::min(ends[2 * axis + 1], -bounds[1]);
+    }
+  }
+  peers.Minimum(ends, 6);
+  vtkTFCProbeCropping cropping;
+  cropping.Enabled = this->UseCropping;
+  cropping.Flags = this->CroppingRegionFlags;
+  for (int i = 0; i < 6; ++i)
+  {
+    cropping.Planes[i] =
+      this->CroppingOrigin[i / 2] + this->CroppingScale[i / 2] * (i % 2 ? -ends[i] : ends[i]);
+  }
+  return cropping;
+}
+
+//------------------------------------------------------------------------------
 int vtkTFCRayProbe::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
   vtkTable* location = vtkTable::GetData(outputs, 0);
   vtkTable* regions = vtkTable::GetData(outputs, 1);
-  std::vector<vtkImageData*> images;
+  std::vector<vtkDataSet*> grids;
   std::string problem = this->CheckSettings();
   if (problem.empty())
   {
-    problem = CollectImages(vtkDataObject::GetData(inputs[0]), images);
+    problem = CollectGrids(vtkDataObject::GetData(inputs[0]), grids);
   }
   vtkNew<vtkMatrix4x4> transform;
   transform->DeepCopy(this->Transform);
   std::vector<vtkTFCRaySampler> samplers;
   std::vector<int> blocks;
   std::string missing;
-  for (size_t i = 0; i < images.size() && problem.empty(); ++i)
+  for (size_t i = 0; i < grids.size() && problem.empty(); ++i)
   {
     vtkTFCRaySampler sampler;
-    if (sampler.Bind(images[i], this->Model->GetAttributes(), transform, missing))
+    if (sampler.Bind(grids[i], this->Model->GetAttributes(), transform, missing))
     {
       samplers.push_back(sampler);
       blocks.push_back(static_cast<int>(i));
@@ -327,7 +360,8 @@ int vtkTFCRayProbe::RequestData(vtkInformation*, vtkInformationVector** inputs,
     return 1;
   }
 
-  Line line(classifier, start, direction, length, step, this->UnitDistance);
+  const vtkTFCProbeCropping cropping = this->FindCropping(samplers, peers);
+  Line line(classifier, cropping, start, direction, length, step, this->UnitDistance);
   std::vector<double> depths(static_cast<size_t>(pieces), 0.0);
   for (const auto& sampler : samplers)
   {

@@ -4,11 +4,12 @@
  * @class vtkTFCRayProbe
  * @brief What a line of sight meets first in a volume with a combined transfer function, and why.
  *
- * Input: vtkImageData or a composite of it, as the volume mapper draws it. The line from StartPoint
- * (the eye) towards EndPoint, and beyond neither, is cut at multiples of SampleDistance from
- * StartPoint; each piece is classified at its middle (vtkTFCClassifier) and has the opacity
- * 1 - (1 - alpha)^(length / UnitDistance). Pieces are accumulated front to back, as in the picture.
- * Light, clipping, cropping and opaque geometry play no part.
+ * Input: vtkImageData, vtkRectilinearGrid or a composite of them, as the volume mapper draws it.
+ * The line from StartPoint (the eye) towards EndPoint, and beyond neither, is cut at multiples of
+ * SampleDistance from StartPoint; each piece is classified at its middle (vtkTFCClassifier) and has
+ * the opacity 1 - (1 - alpha)^(length / UnitDistance). Pieces are accumulated front to back, as in
+ * the picture.
+ * Light, clipping planes and opaque geometry play no part.
  *
  * Port 0, table "Location": no row where nothing is visible along the line, else one for the first
  * place where the accumulated opacity reaches Threshold or, where it never does, for the piece that
@@ -41,9 +42,13 @@
 #include "vtkTableAlgorithm.h"
 
 #include <string> // For the state
+#include <vector> // For samplers
 
 class vtkMultiProcessController;
+class vtkTFCDistributedImage;
+class vtkTFCRaySampler;
 class vtkTFCTransferFunction;
+struct vtkTFCProbeCropping;
 
 class VTKTFCTRANSFERFUNCTION_EXPORT vtkTFCRayProbe : public vtkTableAlgorithm
 {
@@ -106,6 +111,23 @@ public:
 
   ///@{
   /**
+   * Cropping of the display: planes at CroppingOrigin + CroppingScale * bounds of the data along
+   * its axes, and what they leave visible as of vtkVolumeMapper::SetCroppingRegionFlags(). A piece
+   * of the line is cropped by its middle. Default: off, (0, 0, 0), (1, 1, 1), the inside.
+   */
+  vtkSetMacro(UseCropping, bool);
+  vtkGetMacro(UseCropping, bool);
+  vtkBooleanMacro(UseCropping, bool);
+  vtkSetVector3Macro(CroppingOrigin, double);
+  vtkGetVector3Macro(CroppingOrigin, double);
+  vtkSetVector3Macro(CroppingScale, double);
+  vtkGetVector3Macro(CroppingScale, double);
+  vtkSetMacro(CroppingRegionFlags, int);
+  vtkGetMacro(CroppingRegionFlags, int);
+  ///@}
+
+  ///@{
+  /**
    * Default: the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
@@ -127,6 +149,8 @@ private:
   void operator=(const vtkTFCRayProbe&) = delete;
 
   std::string CheckSettings() const;
+  vtkTFCProbeCropping FindCropping(const std::vector<vtkTFCRaySampler>& samplers,
+    const vtkTFCDistributedImage& peers) const;
 
   vtkNew<vtkTFCTransferFunction> Model;
   vtkMultiProcessController* Controller = nullptr;
@@ -136,6 +160,10 @@ private:
   double UnitDistance = 1;
   double Threshold = 0.5;
   double Transform[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  bool UseCropping = false;
+  double CroppingOrigin[3] = { 0, 0, 0 };
+  double CroppingScale[3] = { 1, 1, 1 };
+  int CroppingRegionFlags = 0x2000;
 };
 
 #endif

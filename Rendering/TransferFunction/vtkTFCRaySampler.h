@@ -13,6 +13,7 @@
 #ifndef vtkTFCRaySampler_h
 #define vtkTFCRaySampler_h
 
+#include "vtkSmartPointer.h" // For images
 #include "vtkTFCAttributeReader.h"
 #include "vtkTFCTransferFunctionModule.h" // For export macro
 
@@ -21,15 +22,16 @@
 #include <vector> // For values
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkImageData;
 class vtkMatrix4x4;
 
 class VTKTFCTRANSFERFUNCTION_EXPORT vtkTFCRaySampler
 {
 public:
-  /// Prepare for an image, which must outlive this. Returns false with `error` when an attribute is
-  /// missing.
-  bool Bind(vtkImageData* image, const std::vector<vtkTFCAttribute>& attributes,
+  /// Prepare for an image or rectilinear grid, which must outlive this. Returns false with `error`
+  /// when an attribute is missing.
+  bool Bind(vtkDataSet* data, const std::vector<vtkTFCAttribute>& attributes,
     vtkMatrix4x4* modelToWorld, std::string& error);
 
   /// Where the line is inside of what the image draws; false where it is not, or only touches it. A
@@ -46,7 +48,13 @@ public:
   /// The nearest point, or the cell, at a world position.
   std::array<int, 3> FindVoxel(const std::array<double, 3>& world) const;
 
+  /// Positions along the axes of the data: what cropping planes are given in.
+  std::array<double, 3> FindAxisPosition(const std::array<double, 3>& world) const;
+  /// Those at the ends of the points: lowest, highest.
+  std::array<double, 2> GetAxisBounds(int axis) const;
+
   const vtkTFCAttributeReader& GetReader() const { return this->Reader; }
+  /// For a rectilinear grid an image of its mean spacings that shares its arrays.
   vtkImageData* GetImage() const { return this->Image; }
 
 private:
@@ -56,14 +64,18 @@ private:
     double Weight;
   };
 
-  std::array<double, 3> ToIndex(const std::array<double, 3>& point, double w) const;
+  void BindGrid(vtkDataSet* data);
+  std::array<double, 3> ToFrame(const std::array<double, 3>& point, double w) const;
+  std::array<double, 3> ToIndex(const std::array<double, 3>& world) const;
   std::array<Corner, 8> FindCorners(const std::array<double, 3>& world) const;
 
-  vtkImageData* Image = nullptr;
+  vtkSmartPointer<vtkImageData> Image;
+  std::array<std::vector<double>, 3> Places; ///< of a rectilinear grid's points; else empty
   vtkTFCAttributeReader Reader;
   int Attributes = 0;
-  std::array<double, 16> WorldToIndex = {};
-  std::array<double, 6> Drawn = {}; ///< box in index space
+  /// To indices or, for a rectilinear grid, to positions along its axes.
+  std::array<double, 16> WorldToFrame = {};
+  std::array<double, 6> Drawn = {}; ///< box in that frame
   std::array<int, 6> Lattice = {};  ///< first and last sample along each axis
   double CellShift = 0;             ///< of a sample from its index
 };

@@ -25,16 +25,17 @@ fog = tfc.TransferFunction("RTData", "R", primary_range=(0, 300), secondary_rang
 fog.add_rectangle((150, 10), (400, 40), name="fog", color=(1, 1, 1), opacity=0.05,
                   falloff="constant")
 display = tfc.show(source, fog, view, unit_distance=2, shade=False)
-for parallel in (0, 1):
-    camera.SetParallelProjection(parallel)
-    camera.SetParallelScale(14)
+
+
+def compare(display, step=25, tolerance=3):
+    """The opacity of pixels in the picture and along their lines; how many reach the threshold."""
     picture = pictures.capture(view)
     seen = 0
-    for x in range(5, pictures.SIZE[0], 25):
-        for y in range(5, pictures.SIZE[1], 25):
-            found = tfc.pick(view, x, y, threshold=0.15)
+    for x in range(5, pictures.SIZE[0], step):
+        for y in range(5, pictures.SIZE[1], step):
+            found = tfc.pick(view, x, y, display, threshold=0.15)
             brightness = picture[y, x, 0] / 255
-            check(abs(brightness - (found.total_opacity if found else 0)) < 3 / 255,
+            check(abs(brightness - (found.total_opacity if found else 0)) < tolerance / 255,
                   "opacity of pixel %d, %d: %g" % (x, y, brightness))
             if found and found.reached:
                 seen += 1
@@ -42,6 +43,45 @@ for parallel in (0, 1):
                 check(found.regions[0].contribution == 1 and found.regions[0].weight == 1,
                       "the fog alone")
     check(seen > 3, "some pixels reach the threshold: %d" % seen)
+    return seen
+
+
+for parallel in (0, 1):
+    camera.SetParallelProjection(parallel)
+    camera.SetParallelScale(14)
+    everything = compare(display)
+
+# What the display crops away is not found: the inside of a box, then all but its inside.
+display.UseCropping = 1
+display.CroppingOrigin = [2, 0, -1]
+display.CroppingScale = [0.6, 0.8, 1]
+check(compare(display, 20) > 3, "the inside of the cropping box")
+display.CroppingRegionFlags = 0x7ffffff & ~0x2000
+compare(display, 35, 8)  # ends of pieces and not the planes themselves
+display.CroppingRegionFlags = 0x2000
+display.UseCropping = 0
+
+# A rectilinear grid with uneven steps of the same field.
+grid = simple.ProgrammableFilter(Input=source, OutputDataSetType="vtkRectilinearGrid")
+grid.Script = """
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+ticks = [np.sign(t) * np.abs(t) ** 1.5 / np.sqrt(10) for t in (np.linspace(-10, 10, 21),) * 3]
+output.SetExtent(-10, 10, -10, 10, -10, 10)
+for set_ticks, t in zip((output.VTKObject.SetXCoordinates, output.VTKObject.SetYCoordinates,
+                         output.VTKObject.SetZCoordinates), ticks):
+    set_ticks(numpy_to_vtk(t, deep=1))
+for name in ("RTData", "R"):
+    output.PointData.append(inputs[0].PointData[name], name)
+"""
+grid.RequestInformationScript = """
+executive = self.GetExecutive()
+executive.GetOutputInformation(0).Set(executive.WHOLE_EXTENT(), -10, 10, -10, 10, -10, 10)
+"""
+simple.Hide(source, view)
+check(compare(tfc.show(grid, fog, view, unit_distance=2, shade=False)) > 3, "a rectilinear grid")
+simple.Hide(grid, view)
+display.Visibility = 1
 
 # Depth along an axis, and the values there.
 camera.SetParallelProjection(1)
@@ -62,7 +102,7 @@ tfc.apply(display, tf)
 found = tfc.pick(view, pictures.SIZE[0] // 2, pictures.SIZE[1] // 2)
 by_name = {region.name: region for region in found.regions}
 check(set(by_name) == {"ball", "half"}, "regions")
-check(abs(sum(region.contribution for region in found.regions) - 1) < 1e-9, "shares")
+check(abs(math.fsum(region.contribution for region in found.regions) - 1) < 1e-9, "shares")
 x = found.values["X"]
 check(abs(by_name["half"].tertiary - np.clip((x + 1) / 2, 0, 1)) < 1e-9, "tertiary factor")
 for region in found.regions:

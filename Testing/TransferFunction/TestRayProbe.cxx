@@ -9,7 +9,9 @@
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
+#include "vtkPointDataToCellData.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkTFCRayProbe.h"
 #include "vtkTable.h"
 
@@ -216,6 +218,82 @@ TEST_F(RayProbe, ALayerIsOneVoxelThick)
   this->Probe->SetInputDataObject(image);
   EXPECT_NEAR(this->Get("total_opacity"), 0.1, 1e-7);
   EXPECT_NEAR(this->Get("x"), 5, 0.5);
+}
+
+TEST_F(RayProbe, CroppingHidesWhatThePlanesSay)
+{
+  this->Probe->UseCroppingOn();
+  this->Probe->SetCroppingOrigin(2, 0, 0);
+  this->Probe->SetCroppingScale(0.5, 1, 1); // x from 2 to 7
+  EXPECT_NEAR(this->Get("total_opacity"), 1 - std::pow(0.9, 5), 1e-3);
+  this->Probe->SetThreshold(0.1);
+  EXPECT_NEAR(this->Get("x"), 3, 0.011);
+  // Before the box along x, inside of it along y and z; then behind it.
+  this->Probe->SetCroppingRegionFlags(1 << 12);
+  EXPECT_NEAR(this->Get("total_opacity"), 1 - std::pow(0.9, 2), 1e-3);
+  this->Probe->SetCroppingRegionFlags(1 << 14);
+  EXPECT_NEAR(this->Get("total_opacity"), 1 - std::pow(0.9, 3), 1e-3);
+  EXPECT_NEAR(this->Get("x"), 8, 0.011);
+  this->Probe->SetCroppingRegionFlags(0);
+  this->Probe->Update();
+  EXPECT_EQ(this->Probe->GetOutput(0)->GetNumberOfRows(), 0);
+  this->Probe->UseCroppingOff();
+  EXPECT_NEAR(this->Get("total_opacity"), 1 - std::pow(0.9, 10), 1e-9);
+}
+
+TEST_F(RayProbe, ARectilinearGridIsWhereItsCoordinatesAre)
+{
+  // x in [0, 10] with uneven steps, from index 3 on; P is x^2 at the points.
+  const double places[] = { 0, 1, 1.5, 4, 10 };
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetExtent(3, 7, 0, 10, 0, 10);
+  vtkNew<vtkDoubleArray> x;
+  vtkNew<vtkDoubleArray> even;
+  for (const double place : places)
+  {
+    x->InsertNextValue(place);
+  }
+  for (int i = 0; i < 11; ++i)
+  {
+    even->InsertNextValue(i);
+  }
+  grid->SetXCoordinates(x);
+  grid->SetYCoordinates(even);
+  grid->SetZCoordinates(even);
+  for (const char* name : { "P", "S" })
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      grid->GetPoint(i, p);
+      array->InsertNextValue(*name == 'P' ? p[0] * p[0] / 10 : 0.0);
+    }
+    grid->GetPointData()->AddArray(array);
+  }
+  this->Probe->SetInputDataObject(grid);
+  EXPECT_NEAR(this->Get("total_opacity"), 1 - std::pow(0.9, 10), 1e-9);
+  const double depth = std::log(0.5) / std::log(0.9); // 6.58, between 4 and 10
+  EXPECT_NEAR(this->Get("x"), depth, 0.011);
+  EXPECT_NEAR(this->Get("P"), 1.6 + (this->Get("x") - 4) / 6 * 8.4, 1e-9);
+  EXPECT_EQ(this->Get("i"), 6);
+  EXPECT_EQ(this->Get("j"), 5);
+  this->Probe->UseCroppingOn();
+  this->Probe->SetCroppingScale(0.5, 1, 1);
+  EXPECT_NEAR(this->Get("total_opacity"), 1 - std::pow(0.9, 5), 1e-3);
+
+  // On cells: the third one, from 1.5 to 4, has its own value in its middle.
+  this->Probe->UseCroppingOff();
+  vtkNew<vtkPointDataToCellData> convert;
+  convert->SetInputData(grid);
+  convert->PassPointDataOff();
+  convert->Update();
+  this->Probe->SetInputDataObject(convert->GetOutput());
+  this->Probe->SetThreshold(1 - std::pow(0.9, 2.75));
+  EXPECT_NEAR(this->Get("x"), 2.75, 0.011);
+  EXPECT_EQ(this->Get("i"), 5);
+  EXPECT_NEAR(this->Get("P"), (0.225 + 1.6) / 2, 0.01);
 }
 
 TEST_F(RayProbe, BadInput)

@@ -24,6 +24,9 @@ Pick.__doc__ = """A place on a line of sight.
 that of the sample, ``axes`` its primary and secondary value, ``values`` a dictionary of all arrays
 there, ``regions`` the :class:`RegionShare` of each visible region, in list order."""
 
+# Properties that the display and the probe share.
+CROPPING = ("UseCropping", "CroppingOrigin", "CroppingScale", "CroppingRegionFlags")
+
 
 def _find_display(view):
     shown = [
@@ -87,8 +90,8 @@ def pick(view, x, y, display=None, threshold=0.5):
 
     ``x`` and ``y`` are pixels of ``view.ViewSize`` from the lower left corner. The place is the
     first one along the line of sight where the accumulated opacity reaches ``threshold`` or, where
-    it never does, the one that contributes most. Clipping, cropping and other objects in front of
-    the volume play no part. Without ``display`` the view must show one combined volume. ::
+    it never does, the one that contributes most. Other objects in front of the volume play no
+    part. Without ``display`` the view must show one combined volume. ::
 
         found = tfc.pick(view, 320, 240)
         for region in found.regions:
@@ -111,6 +114,8 @@ def pick(view, x, y, display=None, threshold=0.5):
         probe.UnitDistance = display.ScalarOpacityUnitDistance
         probe.SampleDistance = display.SampleDistance
         probe.Transform = _transform(display)
+        for name in CROPPING:
+            setattr(probe, name, getattr(display, name))
         errors = _collect_errors(probe)
         probe.UpdatePipeline()
         location = servermanager.Fetch(probe)
