@@ -4,20 +4,25 @@
 
 #include "vtkTFCAttributeReader.h"
 #include "vtkTFCCompiledModel.h"
+#include "vtkTFCLegendItem.h"
 #include "vtkTFCTransferFunction.h"
 #include "vtkTFCVolumeMapper.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkContextActor.h"
+#include "vtkContextScene.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
+#include "vtkPVRenderView.h"
 #include "vtkPVView.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolumeProperty.h"
 
@@ -71,6 +76,10 @@ vtkTFCVolumeRepresentation::vtkTFCVolumeRepresentation()
   auto mapper = vtkSmartPointer<vtkTFCVolumeMapper>::New();
   mapper->SetTransferFunction(this->Model);
   this->VolumeMapper = mapper;
+  this->Legend->SetTransferFunction(this->Model);
+  this->LegendActor->GetScene()->AddItem(this->Legend);
+  this->LegendActor->PickableOff();
+  this->UpdateLegendVisibility();
   this->Property->SetIndependentComponents(0);
   this->Property->SetInterpolationTypeToLinear();
 }
@@ -128,6 +137,12 @@ void vtkTFCVolumeRepresentation::SetShadingArray(const char* name)
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetShadeByOpacity(bool byOpacity)
+{
+  this->GetMapper()->SetShadeByOpacity(byOpacity);
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCVolumeRepresentation::SetRayBlending(int mode)
 {
   this->RayBlending = mode;
@@ -140,9 +155,87 @@ void vtkTFCVolumeRepresentation::SetBlendMode(int mode)
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetSlicePlane(vtkImplicitFunction* plane)
+{
+  this->SlicePlane = plane;
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCVolumeRepresentation::SetCroppingRegionFlags(int flags)
 {
   this->VolumeMapper->SetCroppingRegionFlags(flags);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetLegendVisibility(bool visible)
+{
+  this->LegendVisibility = visible;
+  this->UpdateLegendVisibility();
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  this->UpdateLegendVisibility();
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::UpdateLegendVisibility()
+{
+  this->LegendActor->SetVisibility(this->GetVisibility() && this->LegendVisibility);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetLegendLocation(int location)
+{
+  this->Legend->SetLocation(location);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetLegendPosition(double x, double y)
+{
+  this->Legend->SetPosition(x, y);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetLegendSize(double width, double height)
+{
+  this->Legend->SetSize(width, height);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetLegendTextColor(double red, double green, double blue)
+{
+  this->Legend->SetTextColor(red, green, blue);
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetLegendFontSize(int points)
+{
+  this->Legend->SetFontSize(points);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTFCVolumeRepresentation::AddToView(vtkView* view)
+{
+  if (auto* rview = vtkPVRenderView::SafeDownCast(view))
+  {
+    // Where annotations are: drawn on the client, over what the ranks composite.
+    rview->GetNonCompositedRenderer()->AddActor(this->LegendActor);
+    this->LegendActor->GetScene()->SetRenderer(rview->GetNonCompositedRenderer());
+  }
+  return this->Superclass::AddToView(view);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTFCVolumeRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto* rview = vtkPVRenderView::SafeDownCast(view))
+  {
+    rview->GetNonCompositedRenderer()->RemoveActor(this->LegendActor);
+  }
+  return this->Superclass::RemoveFromView(view);
 }
 
 //------------------------------------------------------------------------------
@@ -208,6 +301,7 @@ void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
     this->Model->HasAxisRange(vtkTFCTransferFunction::Secondary))
   {
     this->GetMapper()->ClearAutomaticRanges();
+    this->Legend->ClearAutomaticRanges();
     this->RangedAxes.clear();
     return;
   }
@@ -258,6 +352,10 @@ void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
     ranges[axis][1] = -global[2 * axis + 1];
   }
   this->GetMapper()->SetAutomaticRanges(ranges[0], ranges[1]);
+  if (ranges[0][0] <= ranges[0][1] && ranges[1][0] <= ranges[1][1])
+  {
+    this->Legend->SetAutomaticRanges(ranges[0], ranges[1]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -287,9 +385,9 @@ void vtkTFCVolumeRepresentation::UpdateMapperParameters()
 {
   this->Actor->SetMapper(this->VolumeMapper);
   this->Actor->SetVisibility(this->GetVisibility());
-  this->VolumeMapper->SetBlendMode(this->SharedBlendMode != vtkVolumeMapper::COMPOSITE_BLEND
-      ? this->SharedBlendMode
-      : this->RayBlending);
+  const bool shared = this->SharedBlendMode != vtkVolumeMapper::COMPOSITE_BLEND;
+  this->VolumeMapper->SetBlendMode(shared ? this->SharedBlendMode : this->RayBlending);
+  this->Property->SetSliceFunction(this->SlicePlane);
   auto* controller = vtkMultiProcessController::GetGlobalController();
   this->GetMapper()->SetDistributed(controller && controller->GetNumberOfProcesses() > 1);
   if (this->Property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION)

@@ -21,6 +21,8 @@
 
 #include <vector> // For attributes
 
+class vtkContextActor;
+class vtkTFCLegendItem;
 class vtkTFCTransferFunction;
 class vtkTFCVolumeMapper;
 struct vtkTFCAttribute;
@@ -70,22 +72,50 @@ public:
    */
   void SetShadingArray(const char* name);
 
+  /**
+   * Whether the normal of shading is the gradient of the classified opacity. Default: no.
+   */
+  void SetShadeByOpacity(bool byOpacity);
+
   ///@{
   /**
    * How the samples of a ray are blended: vtkVolumeMapper's COMPOSITE_BLEND (0),
-   * MAXIMUM_INTENSITY_BLEND (1), AVERAGE_INTENSITY_BLEND (3) or ADDITIVE_BLEND (4), see
-   * vtkTFCVolumeMapper. Default: 0. SetBlendMode() is that of ParaView's own volume representation,
-   * which has isosurface and slice instead: anything but composite there is passed on and reported.
+   * MAXIMUM_INTENSITY_BLEND (1), AVERAGE_INTENSITY_BLEND (3), ADDITIVE_BLEND (4) or SLICE_BLEND
+   * (6), see vtkTFCVolumeMapper. Default: 0. SetBlendMode() is that of ParaView's own volume
+   * representation, which has isosurface and slice: anything but composite there is passed on.
    */
   void SetRayBlending(int mode);
   void SetBlendMode(int mode);
   ///@}
 
   /**
+   * A vtkPlane in world coordinates, what slice blending shows, here also where ParaView's own
+   * volume representation takes its SliceFunction.
+   */
+  void SetSlicePlane(vtkImplicitFunction* plane);
+
+  /**
    * 27-bit mask of the cropping regions that stay visible while cropping is on, as
    * vtkVolumeMapper::SetCroppingRegionFlags(). Default: 8192, the inside of the box.
    */
   void SetCroppingRegionFlags(int flags);
+
+  ///@{
+  /**
+   * A legend in the overlay of the view while the representation is visible: the domain with its
+   * regions and their tertiary functions. See vtkTFCLegendItem for location, position and size (as
+   * fractions of the view), text colour and font size (points). On the client of a server, axes
+   * with automatic ranges have no numbers. Default: not shown.
+   */
+  void SetLegendVisibility(bool visible);
+  void SetLegendLocation(int location);
+  void SetLegendPosition(double x, double y);
+  void SetLegendSize(double width, double height);
+  void SetLegendTextColor(double red, double green, double blue);
+  void SetLegendFontSize(int points);
+  ///@}
+
+  void SetVisibility(bool visible) override;
 
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo,
     vtkInformation* outInfo) override;
@@ -94,6 +124,9 @@ protected:
   vtkTFCVolumeRepresentation();
   ~vtkTFCVolumeRepresentation() override;
 
+  void UpdateLegendVisibility();
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void UpdateMapperParameters() override;
@@ -109,9 +142,13 @@ private:
   vtkNew<vtkTFCTransferFunction> Model;
   int RayBlending = 0;
   int SharedBlendMode = 0;
+  vtkSmartPointer<vtkImplicitFunction> SlicePlane;
   vtkMTimeType RangesTime = 0;             ///< of the data
   std::vector<vtkTFCAttribute> RangedAxes; ///< whose automatic ranges the mapper has
   vtkTimeStamp DataTime;
+  vtkNew<vtkTFCLegendItem> Legend;
+  vtkNew<vtkContextActor> LegendActor;
+  bool LegendVisibility = false;
 };
 
 #endif
