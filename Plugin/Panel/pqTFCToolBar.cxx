@@ -45,6 +45,7 @@ pqTFCToolBar::pqTFCToolBar(pqTFCDocument* document, pqTFCChartWidget* chart, QWi
     [this]() { this->Tools[this->Chart->chart()->GetTool()]->setChecked(true); });
   QObject::connect(document, &pqTFCDocument::targetChanged, this, &pqTFCToolBar::refresh);
   QObject::connect(document, &pqTFCDocument::changed, this, &pqTFCToolBar::refresh);
+  this->refresh();
 }
 
 //-----------------------------------------------------------------------------
@@ -167,6 +168,7 @@ void pqTFCToolBar::addAdvice(pqTFCAdvice* advice)
       dialog->show();
     });
   this->ReadyActions << action;
+  this->refresh();
 }
 
 //-----------------------------------------------------------------------------
@@ -178,6 +180,7 @@ void pqTFCToolBar::addProbe(pqTFCProbe* probe)
   action->setToolTip(tr("Click into the 3D view: what is visible there, which regions make it so"));
   QObject::connect(action, &QAction::toggled, probe, &pqTFCProbe::setActive);
   this->ReadyActions << action;
+  this->refresh();
 }
 
 //-----------------------------------------------------------------------------
