@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: the Transfer Function Combinations developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Gaussian variant of the size filter against SciPy's Laplacian of Gaussian."""
+"""The Gaussian variant of the size filter against SciPy's Laplacian of Gaussian, and against the
+blobs of scikit-image where it is installed.
+"""
 import sys
 
 import scripttest
@@ -82,6 +84,25 @@ weak = columns["response"] > 1.1 * THRESHOLD
 scripttest.check(int(weak.sum()) == len(strong),
                  "%d strong blobs, the peer has %d" % (weak.sum(), len(strong)))
 scripttest.check_close(columns["size"], np.sqrt(3) * columns["scale"], 1e-6, "radii")
+
+# scikit-image's detector, where it is installed: whole voxels, and no fit between scales.
+try:
+    from skimage.feature import blob_log
+except ImportError as error:
+    print("scikit-image (Debian: python3-skimage) is not compared with: %s" % error)
+else:
+    scaled = ((values - values.min()) / np.ptp(values)).astype(float)
+    found = blob_log(scaled, min_sigma=SMALLEST / np.sqrt(3), max_sigma=LARGEST / np.sqrt(3),
+                     num_sigma=SCALES, threshold=1.1 * THRESHOLD, log_scale=True, overlap=1)
+    step = (LARGEST / SMALLEST) ** (1 / (SCALES - 1))
+    scripttest.check(len(found) >= 5, "scikit-image finds %d blobs" % len(found))
+    for bz, by, bx, sigma in found:
+        near = np.argmin(((points - (bx, by, bz)) ** 2).sum(axis=1))
+        where = "scikit-image's blob at %d %d %d" % (bx, by, bz)
+        scripttest.check(np.abs(points[near] - (bx, by, bz)).max() <= 1, where + ": place")
+        scripttest.check(1 / step <= columns["scale"][near] / sigma <= step, where + ": sigma")
+    scripttest.check(int(weak.sum()) == len(found),
+                     "%d strong blobs, scikit-image has %d" % (weak.sum(), len(found)))
 
 # Back projection: blobs of distinct scales, so that each is a scale of its own.
 z, y, x = np.mgrid[:SHAPE[0], :SHAPE[1], :SHAPE[2]].astype(float)
