@@ -28,6 +28,7 @@ namespace
 
 constexpr double MARGIN = 0.02;       // of the scene, at its borders
 constexpr double DOMAIN_SHARE = 0.55; // of the width, at most
+constexpr double SMALLEST_PLOT = 5;   // font sizes; below there is no room for numbers
 
 //------------------------------------------------------------------------------
 // Numbers at both ends: a small axis has too few round ones to read a value from.
@@ -123,7 +124,8 @@ std::array<double, 4> vtkTFCLegendItem::FindRectangle() const
 
 //------------------------------------------------------------------------------
 // Put the axes where their labels and titles fit into the rectangle.
-void vtkTFCLegendItem::LayoutDomain(vtkContext2D* painter, const std::array<double, 4>& rectangle)
+void vtkTFCLegendItem::LayoutDomain(vtkContext2D* painter, const std::array<double, 4>& rectangle,
+  bool numbers)
 {
   vtkTFCDomainMapping& map = this->Mapping;
   const double size = this->FontSize * map.Scale;
@@ -139,7 +141,7 @@ void vtkTFCLegendItem::LayoutDomain(vtkContext2D* painter, const std::array<doub
     {
       vtkAxis* axis = this->Axes[i];
       axis->SetScene(this->Scene);
-      const bool known = this->HasAutomaticRanges || this->Model->HasAxisRange(i);
+      const bool known = numbers && (this->HasAutomaticRanges || this->Model->HasAxisRange(i));
       axis->SetLabelsVisible(known);
       axis->SetTicksVisible(known);
       axis->GetLabelProperties()->SetColor(this->TextColor);
@@ -264,7 +266,13 @@ bool vtkTFCLegendItem::Paint(vtkContext2D* painter)
   const auto rectangle = this->FindRectangle();
   // As high as wide where there is room for both.
   const double width = std::min(DOMAIN_SHARE * rectangle[2], 1.15 * rectangle[3]);
-  this->LayoutDomain(painter, { { rectangle[0], rectangle[1], width, rectangle[3] } });
+  const std::array<double, 4> place = { { rectangle[0], rectangle[1], width, rectangle[3] } };
+  this->LayoutDomain(painter, place, true);
+  const double least = SMALLEST_PLOT * this->FontSize * map.Scale;
+  if (map.Plot[2] < least || map.Plot[3] < least)
+  {
+    this->LayoutDomain(painter, place, false);
+  }
   this->PaintDomain(painter);
 
   vtkTFCLegendRows::Style style;

@@ -13,8 +13,8 @@
  * Rows share the height. When there are more than fit, the last line says how many are missing.
  *
  * Axes whose range is automatic need SetAutomaticRanges(); else the regions are drawn over [0, 1]
- * as they would be, and the axis has no numbers. A function without a range of its own runs from
- * its first to its last node.
+ * as they would be, and the axis has no numbers, as in a legend too small for them. A function
+ * without a range of its own runs from its first to its last node.
  */
 
 #ifndef vtkTFCLegendItem_h
@@ -121,7 +121,7 @@ private:
   void operator=(const vtkTFCLegendItem&) = delete;
 
   std::array<double, 4> FindRectangle() const;
-  void LayoutDomain(vtkContext2D* painter, const std::array<double, 4>& rectangle);
+  void LayoutDomain(vtkContext2D* painter, const std::array<double, 4>& rectangle, bool numbers);
   void UpdateRegions();
   void PaintDomain(vtkContext2D* painter);
 

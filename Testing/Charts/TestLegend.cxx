@@ -316,6 +316,17 @@ TEST_F(Legend, AutomaticRangesGiveNumbersOnceTheyAreKnown)
   EXPECT_TRUE(IsRed(this->At(center[0], center[1])));
 }
 
+TEST_F(Legend, ASmallOneHasRoomForTheRegions)
+{
+  this->Add("warm", 130, -0.4, { { 1, 0, 0 } });
+  this->Item->SetFontSize(24);
+  this->Item->SetSize(0.3, 0.3);
+  this->Render("legend_small");
+  const auto& plot = this->Item->GetPlot();
+  EXPECT_GT(plot[2], 40);
+  EXPECT_GT(plot[3], 80);
+}
+
 TEST_F(Legend, FollowsEditsOfTheModel)
 {
   vtkTFCRegion* region = this->Add("warm", 130, -0.4, { { 1, 0, 0 } });
