@@ -19,7 +19,9 @@ import tfc
 
 
 def show():
-    """Pictures, with and without a highlighted region, and the scores in the current session."""
+    """Pictures, plain, with a highlighted region and with the legend, and the scores in the current
+    session.
+    """
     source = pictures.make_source()
     view = pictures.make_view()
     tf = pictures.make_transfer_function()
@@ -31,7 +33,10 @@ def show():
     pictures.highlight(display, 0)
     scripttest.check(pictures.difference(plain, pictures.capture(view)) == 0,
                      "nothing stays of the highlight")
-    return plain, highlighted, tfc.score(source, "RTData", arrays=["X", "R"])
+    display.LegendVisibility = 1
+    display.LegendSize = [0.6, 0.6]
+    legend = pictures.capture(view)
+    return plain, highlighted, legend, tfc.score(source, "RTData", arrays=["X", "R"])
 
 
 def connect(port, server):
@@ -50,18 +55,21 @@ def connect(port, server):
     simple.Connect("localhost", port)
 
 
-picture, highlighted, scores = show()
+picture, highlighted, legend, scores = show()
 scripttest.check(float(picture.max()) > 60, "something is visible")
 difference = pictures.difference(picture, highlighted)
 scripttest.check(difference > 1, "the highlight is visible: %.1f/255" % difference)
+difference = pictures.difference(picture, legend)
+scripttest.check(difference > 1, "the legend is visible: %.1f/255" % difference)
 with socket.socket() as free:
     free.bind(("", 0))
     port = free.getsockname()[1]
 server = subprocess.Popen([sys.argv[1], "--server-port=%d" % port])
 try:
     connect(port, server)
-    remote, remote_highlighted, remote_scores = show()
-    for here, there in ((picture, remote), (highlighted, remote_highlighted)):
+    remote, remote_highlighted, remote_legend, remote_scores = show()
+    for here, there in ((picture, remote), (highlighted, remote_highlighted),
+                        (legend, remote_legend)):
         difference = pictures.difference(here, there)
         scripttest.check(difference <= 0.5,
                          "the same picture: mean difference %.3f/255" % difference)
