@@ -105,10 +105,9 @@ std::vector<std::string> vtkTFCLocalStatistics::GetSuffixes() const
 double vtkTFCLocalStatistics::GetTemporaryBytes(const Field& field) const
 {
   const tfc::SphereShells shells(field.WholeSize, field.UnitSpacing, this->MaximumRadius);
-  const double block = (64. + 2. * static_cast<double>(shells.Reach[0])) *
-    (8. + 2. * static_cast<double>(shells.Reach[1])) *
-    (4. + 2. * static_cast<double>(shells.Reach[2]));
-  return 60. * shells.EstimateSize() + 4. * block * vtkTFCThreads::GetNumberOfThreads();
+  return 60. * shells.EstimateSize() +
+    tfc::GrowingSpheres::EstimateBytes(shells, field.Begin, field.End) *
+    vtkTFCThreads::GetNumberOfThreads();
 }
 
 //------------------------------------------------------------------------------
@@ -132,14 +131,13 @@ bool vtkTFCLocalStatistics::ComputeProperties(const Field& field,
       }
     });
   // A loop with progress starts with a 64th of its range. Large spheres in a large volume would
-  // make that too long to wait for after an abort: several loops, at about 100 ns per sample of a
-  // tile.
+  // make that too long to wait for after an abort: several loops.
   const vtkIdType tiles = spheres.GetNumberOfTiles();
-  const double seconds =
-    static_cast<double>(tiles) / 64. * 1e-7 * static_cast<double>(shells.Offsets.size());
-  const vtkIdType loops = std::min(tiles, static_cast<vtkIdType>(1. + seconds / 0.1));
-  // A few tiles at once, as the block is allocated once per call.
-  const vtkIdType grain = shells.Offsets.size() < 20000 ? 4 : 1;
+  const double seconds = tfc::GrowingSpheres::EstimateSeconds(shells, field.Begin, field.End);
+  const vtkIdType loops =
+    std::min(tiles, static_cast<vtkIdType>(1. + static_cast<double>(tiles) / 64. * seconds / 0.1));
+  // Two tiles at once while they are short, as the workspace is allocated once per call.
+  const vtkIdType grain = seconds < 0.05 ? 2 : 1;
   const auto progress = [&](vtkIdType loop)
   { return 0.15 + 0.85 * static_cast<double>(loop) / static_cast<double>(loops); };
   for (vtkIdType loop = 0; loop < loops; ++loop)

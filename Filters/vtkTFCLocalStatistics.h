@@ -28,9 +28,13 @@
  * Errors: a radius below the first step, or one beyond the largest side of the volume; a level
  * outside of (0, 1).
  *
- * Cost: proportional to the samples in the accepted spheres, at most 925 a voxel for a radius of 6
- * and 4169 for 10. Temporary memory: about 60 bytes per sample of the largest sphere, and for each
- * thread a padded block of (64 + 2 r) (8 + 2 r) (4 + 2 r) samples.
+ * Cost: see TFCGrowingSpheres.h. The first three spheres are summed up sample by sample; larger
+ * ones share the sums of their slices with the voxels above and below, so that in homogeneous
+ * regions a radius of 10 takes about twice as long as 6, and 20 about three times as long as 10.
+ * Temporary memory: about 60 bytes per sample of the largest sphere, and for each thread a padded
+ * block of (64 + 2 r) (8 + 2 r) (64 + 2 r) samples and 120 kB.
+ *
+ * Results have the same bits for any number of threads and processes and any instruction set.
  */
 
 #ifndef vtkTFCLocalStatistics_h

@@ -13,117 +13,50 @@
  * moments of the last accepted sphere and its radius k h. Samples outside of the lattice and NaN
  * take no part; a NaN voxel gets NaN.
  *
- * Sixteen consecutive voxels of a row grow side by side until the last one stops
- * (TFCSphereTests.h). The sums are those of differences from the mean of S_1. A box of voxels at a
- * time reads a padded copy of its surroundings: it stays in the cache, whatever the size of a row.
- * Groups whose spheres are complete skip the test for NaN, and add in the same order as others: the
- * results have the same bits, however the lattice is cut into pieces.
+ * Voxels come in groups of sixteen of a row (TFCSphereGrowth.h), and groups in columns along z. The
+ * first three spheres, where most growth ends, are summed up shell by shell. Then all voxels of a
+ * column that still grow get the sums of the next four spheres at once, from slices that they share
+ * (TFCSphereSlices.h); and so on. A box of voxels at a time reads a padded copy of its
+ * surroundings: it stays in the cache, whatever the size of a row. Groups whose spheres are
+ * complete skip the test for NaN, and add in the same order as others, and no sum depends on other
+ * voxels' growth: the results have the same bits, however the lattice is cut into pieces.
  *
- * Cost: about eight operations per sample and voxel while the sphere grows, twice that where
- * samples may be missing.
+ * Cost: 123 samples for the first three spheres; then for each four spheres up to S_k, in a column
+ * that still grows, the pi k^2 samples of a disc and as many as 8 k additions of discs a voxel.
+ * That is about 450 samples and 140 discs for k = 10, of a sphere of 4169. A voxel that grows on
+ * alone in its column costs as much as its spheres have samples. Twice that where samples may be
+ * missing.
  */
 
 #ifndef TFCGrowingSpheres_h
 #define TFCGrowingSpheres_h
 
-#include "TFCSphereShells.h"
-#include "TFCSphereTests.h"
+#include "TFCSphereGrowth.h"
+#include "TFCSphereSlices.h"
 
 #include <memory>
 
 namespace tfc
 {
-/**
- * Statistics of the spheres of a group, or pointers to those of all voxels.
- */
-enum SphereStatistic
-{
-  SphereMean,
-  SphereDeviation, ///< divides by n - 1; 0 for one sample
-  SphereRadius,
-  SphereSkewness, ///< m3 / m2^1.5; 0 where all samples are equal
-  SphereKurtosis, ///< m4 / m2^2, 3 for a normal distribution and where all samples are equal
-  NumberOfSphereStatistics
-};
-
-/**
- * Adds the powers of p[offsets[o] + i] - shift[i] for `count` offsets to the sums of lane i.
- * `Masked` must be true if there may be NaN.
- */
-template <bool Masked>
-inline void AddPowers(const float* p, const Index* offsets, Index count,
-  const float* __restrict shift, PowerSums& sums)
-{
-  float* __restrict n = sums.Count;
-  float* __restrict s1 = sums.Sum[0];
-  float* __restrict s2 = sums.Sum[1];
-  float* __restrict s3 = sums.Sum[2];
-  float* __restrict s4 = sums.Sum[3];
-  const auto term = [](float value, float center)
-  { return Masked && value != value ? 0.f : value - center; };
-  const auto valid = [](float value) { return value == value ? 1.f : 0.f; };
-  Index o = 0;
-  // Eight samples at a time: the sums are loaded and stored once, and added up pairwise.
-  for (; o + 8 <= count; o += 8)
-  {
-    const float* __restrict q0 = p + offsets[o];
-    const float* __restrict q1 = p + offsets[o + 1];
-    const float* __restrict q2 = p + offsets[o + 2];
-    const float* __restrict q3 = p + offsets[o + 3];
-    const float* __restrict q4 = p + offsets[o + 4];
-    const float* __restrict q5 = p + offsets[o + 5];
-    const float* __restrict q6 = p + offsets[o + 6];
-    const float* __restrict q7 = p + offsets[o + 7];
-    for (int i = 0; i < Lanes; ++i)
-    {
-      const float c = shift[i];
-      const float a = term(q0[i], c), b = term(q1[i], c), d = term(q2[i], c), e = term(q3[i], c);
-      const float f = term(q4[i], c), g = term(q5[i], c), h = term(q6[i], c), j = term(q7[i], c);
-      const float aa = a * a, bb = b * b, dd = d * d, ee = e * e;
-      const float ff = f * f, gg = g * g, hh = h * h, jj = j * j;
-      s1[i] += ((a + b) + (d + e)) + ((f + g) + (h + j));
-      s2[i] += ((aa + bb) + (dd + ee)) + ((ff + gg) + (hh + jj));
-      s3[i] += ((aa * a + bb * b) + (dd * d + ee * e)) + ((ff * f + gg * g) + (hh * h + jj * j));
-      s4[i] +=
-        ((aa * aa + bb * bb) + (dd * dd + ee * ee)) + ((ff * ff + gg * gg) + (hh * hh + jj * jj));
-      if constexpr (Masked)
-      {
-        n[i] += ((valid(q0[i]) + valid(q1[i])) + (valid(q2[i]) + valid(q3[i]))) +
-          ((valid(q4[i]) + valid(q5[i])) + (valid(q6[i]) + valid(q7[i])));
-      }
-    }
-  }
-  for (; o < count; ++o)
-  {
-    const float* __restrict q = p + offsets[o];
-    for (int i = 0; i < Lanes; ++i)
-    {
-      const float a = term(q[i], shift[i]), aa = a * a;
-      s1[i] += a;
-      s2[i] += aa;
-      s3[i] += aa * a;
-      s4[i] += aa * aa;
-      if constexpr (Masked)
-      {
-        n[i] += valid(q[i]);
-      }
-    }
-  }
-}
-
 class GrowingSpheres
 {
 public:
   /**
+   * Spheres that are summed up shell by shell.
+   */
+  static constexpr Index Direct = 3;
+
+  /**
    * For the samples [begin, end) of a lattice that holds Reach samples more on each side or ends
    * where the volume does. Values are multiplied by `scale`, a power of two, before they are raised
-   * to powers, and results divided by it.
+   * to powers, and results divided by it. With another `direct` than the default, the other way of
+   * summing begins at another sphere: results agree but for rounding.
    */
   GrowingSpheres(const SphereShells& shells, const SphereTests& tests, const Index size[3],
-    const Index begin[3], const Index end[3], float scale)
-    : Tests(tests)
-    , Ends(shells.Ends)
-    , Step(shells.Step)
+    const Index begin[3], const Index end[3], float scale, Index direct = Direct)
+    : Box(shells, begin, end)
+    , Growth(shells, tests, std::min(direct, shells.NumberOfShells), this->Box.Block[0],
+        this->Box.Block[0] * this->Box.Block[1])
     , Scale(scale)
   {
     for (int a = 0; a < 3; ++a)
@@ -132,37 +65,57 @@ public:
       this->Begin[a] = begin[a];
       this->End[a] = end[a];
       this->Reach[a] = shells.Reach[a];
-      this->BlockSize[a] = TileSize[a] + 2 * shells.Reach[a];
-      this->Tiles[a] = (end[a] - begin[a] + TileSize[a] - 1) / TileSize[a];
+      this->Tiles[a] = (end[a] - begin[a] + this->Box.Tile[a] - 1) / this->Box.Tile[a];
     }
-    for (const auto& o : shells.Offsets)
+    for (Index k = direct + 1; k <= shells.NumberOfShells; k += SphereSlices::MostSizes)
     {
-      this->Offsets.push_back((o[2] * this->BlockSize[1] + o[1]) * this->BlockSize[0] + o[0]);
-    }
-    for (size_t k = 1; k < this->Ends.size(); ++k)
-    {
-      Full full;
-      for (int i = 0; i < Lanes; ++i)
-      {
-        full.ShellCounts[i] = static_cast<float>(this->Ends[k] - this->Ends[k - 1]);
-        full.Counts[i] = static_cast<float>(this->Ends[k]);
-      }
-      tests.Look(full.Counts, full.Constants);
-      this->FullSpheres.push_back(full);
+      const Index last = std::min(k + SphereSlices::MostSizes - 1, shells.NumberOfShells);
+      this->Slices.emplace_back(shells, k, last, this->Box.Block[0]);
     }
   }
 
   /**
-   * Number of the units of work, boxes of 64 x 8 x 4 samples.
+   * Number of the units of work, boxes of at most 64 x 8 x 64 samples.
    */
   Index GetNumberOfTiles() const { return this->Tiles[0] * this->Tiles[1] * this->Tiles[2]; }
 
   /**
-   * The padded copy; of one thread.
+   * About how long a tile takes at most, in seconds.
+   */
+  static double EstimateSeconds(const SphereShells& shells, const Index begin[3],
+    const Index end[3])
+  {
+    const Boxes box(shells, begin, end);
+    return static_cast<double>(box.Tile[1]) * box.SecondsPerRow;
+  }
+
+  /**
+   * Bytes of a thread's workspace.
+   */
+  static double EstimateBytes(const SphereShells& shells, const Index begin[3], const Index end[3])
+  {
+    const Boxes box(shells, begin, end);
+    double block = sizeof(float);
+    for (const Index length : box.Block)
+    {
+      block *= static_cast<double>(length);
+    }
+    const double discs = static_cast<double>(SphereSlices::MostSizes * (shells.Reach[2] + 1));
+    return block + static_cast<double>(sizeof(Spheres) + sizeof(SphereGroup)) * box.Tile[2] +
+      discs * sizeof(PowerSums);
+  }
+
+  using Spheres = std::array<PowerSums, SphereSlices::MostSizes>;
+
+  /**
+   * A padded copy and the state of a column of groups; of one thread.
    */
   struct Workspace
   {
     std::unique_ptr<float[]> Block;
+    std::vector<SphereGroup> Groups;
+    std::vector<Spheres> Sums;
+    std::vector<PowerSums> Discs;
   };
 
   /**
@@ -171,60 +124,103 @@ public:
    */
   void ComputeTile(const float* volume, Index tile, float* const* outputs, Workspace& work) const
   {
-    if (!work.Block)
-    {
-      work.Block.reset(new float[static_cast<size_t>(
-        this->BlockSize[0] * this->BlockSize[1] * this->BlockSize[2])]);
-    }
+    this->Prepare(work);
     const Index index[3] = { tile % this->Tiles[0], tile / this->Tiles[0] % this->Tiles[1],
       tile / (this->Tiles[0] * this->Tiles[1]) };
     Index first[3], last[3];
     for (int a = 0; a < 3; ++a)
     {
-      first[a] = this->Begin[a] + index[a] * TileSize[a];
-      last[a] = std::min(first[a] + TileSize[a], this->End[a]);
+      first[a] = this->Begin[a] + index[a] * this->Box.Tile[a];
+      last[a] = std::min(first[a] + this->Box.Tile[a], this->End[a]);
     }
     const bool complete = this->Copy(volume, first, work.Block.get());
-    for (Index z = first[2]; z < last[2]; ++z)
+    const float* corner = work.Block.get() + this->Reach[0] +
+      (this->Reach[2] * this->Box.Block[1] + this->Reach[1]) * this->Box.Block[0];
+    for (Index x = first[0]; x < last[0]; x += Lanes)
     {
       for (Index y = first[1]; y < last[1]; ++y)
       {
-        const bool rowInside = complete && this->IsInside(1, y, 1) && this->IsInside(2, z, 1);
-        const float* row = work.Block.get() + this->Reach[0] +
-          ((z - first[2] + this->Reach[2]) * this->BlockSize[1] + y - first[1] + this->Reach[1]) *
-            this->BlockSize[0];
-        for (Index x = first[0]; x < last[0]; x += Lanes)
-        {
-          const float* p = row + x - first[0];
-          if (rowInside && this->IsInside(0, x, Lanes))
-          {
-            this->ComputeGroup<false>(p, x, y, z, outputs);
-          }
-          else
-          {
-            this->ComputeGroup<true>(p, x, y, z, outputs);
-          }
-        }
+        const Column column{ corner + (y - first[1]) * this->Box.Block[0] + x - first[0], x, y,
+          first[2], last[2] - first[2], complete };
+        this->ComputeColumn(column, work);
+        this->Store(column, work.Groups.data(), outputs);
       }
     }
   }
 
 private:
-  static constexpr Index TileSize[3] = { 64, 8, 4 };
-
-  struct Full
+  /**
+   * The sizes of a tile and of its padded copy.
+   */
+  struct Boxes
   {
-    SphereTests::LaneConstants Constants;
-    alignas(64) float ShellCounts[Lanes];
-    alignas(64) float Counts[Lanes];
+    Index Tile[3] = { 64, 8, 64 }, Block[3];
+    double SecondsPerRow; // 64 columns at most
+
+    Boxes(const SphereShells& shells, const Index begin[3], const Index end[3])
+    {
+      // About 1.5 ns per sample of a group. All slices of all sizes, as if none were skipped.
+      const double height = static_cast<double>(std::min(this->Tile[2], end[2] - begin[2]));
+      const double radius = static_cast<double>(shells.NumberOfShells);
+      const double disc = 4. * static_cast<double>((shells.Reach[0] + 1) * (shells.Reach[1] + 1));
+      const double slices = height + 2. * static_cast<double>(shells.Reach[2]);
+      const double times = radius / static_cast<double>(SphereSlices::MostSizes) + 1.;
+      this->SecondsPerRow = 6e-9 *
+        (times * slices * disc / 3. +
+          height * (200. + 6. * radius * static_cast<double>(shells.Reach[2] + 1)));
+      // Not longer than a user waits for after an abort.
+      this->Tile[1] = static_cast<Index>(std::clamp(0.1 / this->SecondsPerRow, 1., 8.));
+      for (int a = 0; a < 3; ++a)
+      {
+        // Along x groups are complete.
+        this->Tile[a] =
+          a > 0 ? std::max<Index>(1, std::min(this->Tile[a], end[a] - begin[a])) : this->Tile[a];
+        this->Block[a] = this->Tile[a] + 2 * shells.Reach[a];
+      }
+    }
   };
 
   /**
-   * Whether the spheres of the samples [first, first + count) along an axis lie in the lattice.
+   * Groups at (x, y, z) to (x, y, z + count - 1).
    */
-  bool IsInside(int axis, Index first, Index count) const
+  struct Column
   {
-    return first >= this->Reach[axis] && first + count <= this->Size[axis] - this->Reach[axis];
+    const float* Samples; // the first lane of the first group, in the padded copy
+    Index X, Y, Z, Count;
+    bool Complete; // there is no NaN in the lattice nearby
+  };
+
+  void Prepare(Workspace& work) const
+  {
+    if (!work.Block)
+    {
+      const auto height = static_cast<size_t>(this->Box.Tile[2]);
+      work.Block.reset(new float[static_cast<size_t>(
+        this->Box.Block[0] * this->Box.Block[1] * this->Box.Block[2])]);
+      work.Groups.resize(height);
+      Index discs = 0;
+      for (const SphereSlices& slices : this->Slices)
+      {
+        discs = std::max(discs, slices.GetNumberOfDiscs());
+      }
+      work.Discs.resize(static_cast<size_t>(discs));
+      work.Sums.resize(discs ? height : 0);
+    }
+  }
+
+  /**
+   * Whether everything within `reach` of a column lies in the lattice: in its slices, and of the
+   * group `z` of it also in others.
+   */
+  bool IsInside(const Column& column, const Index* reach) const
+  {
+    return column.X >= reach[0] && column.X + Lanes <= this->Size[0] - reach[0] &&
+      column.Y >= reach[1] && column.Y < this->Size[1] - reach[1];
+  }
+  bool IsInside(const Column& column, const Index* reach, Index z) const
+  {
+    return this->IsInside(column, reach) && column.Z + z >= reach[2] &&
+      column.Z + z < this->Size[2] - reach[2];
   }
 
   /**
@@ -238,12 +234,12 @@ private:
     const Index from[3] = { first[0] - this->Reach[0], first[1] - this->Reach[1],
       first[2] - this->Reach[2] };
     // Parts of a row before, inside and after the lattice.
-    const Index width = this->BlockSize[0];
+    const Index width = this->Box.Block[0];
     const Index inside0 = std::min(std::max<Index>(-from[0], 0), width);
     const Index inside1 = std::min(std::max(this->Size[0] - from[0], inside0), width);
-    for (Index z = from[2]; z < from[2] + this->BlockSize[2]; ++z)
+    for (Index z = from[2]; z < from[2] + this->Box.Block[2]; ++z)
     {
-      for (Index y = from[1]; y < from[1] + this->BlockSize[1]; ++y, block += width)
+      for (Index y = from[1]; y < from[1] + this->Box.Block[1]; ++y, block += width)
       {
         if (z < 0 || z >= this->Size[2] || y < 0 || y >= this->Size[1])
         {
@@ -264,144 +260,129 @@ private:
   }
 
   /**
-   * The spheres around p[0] to p[15], stored as far as they are samples of the output.
+   * The spheres of a column into work.Groups.
    */
-  template <bool MayHaveNaN>
-  void ComputeGroup(const float* p, Index x, Index y, Index z, float* const* outputs) const
+  void ComputeColumn(const Column& column, Workspace& work) const
   {
-    PowerSums sums;
-    alignas(64) float shift[Lanes], radius[Lanes];
-    this->Grow<MayHaveNaN>(p, sums, shift, radius);
-
-    alignas(64) float results[NumberOfSphereStatistics][Lanes];
-    const double inverseScale = 1. / static_cast<double>(this->Scale);
-    for (int i = 0; i < Lanes; ++i)
+    const Index slice = this->Box.Block[0] * this->Box.Block[1];
+    SphereGroup* groups = work.Groups.data();
+    bool alive = false;
+    for (Index z = 0; z < column.Count; ++z)
     {
-      const double n = sums.Count[i], inverse = 1. / n, mean = sums.Sum[0][i] * inverse;
-      const double e2 = sums.Sum[1][i] * inverse, e3 = sums.Sum[2][i] * inverse;
-      const double e4 = sums.Sum[3][i] * inverse, square = mean * mean;
-      const double m2 = e2 - square;
-      const double m3 = e3 - mean * (3. * e2 - 2. * square);
-      const double m4 = e4 - mean * (4. * e3 - mean * (6. * e2 - 3. * square));
-      const bool varies = m2 > 0.;
-      const double divisor = varies ? m2 : 1.;
-      const double variance = (varies & (n > 1.)) ? m2 * n / (n > 1. ? n - 1. : 1.) : 0.;
-      results[SphereMean][i] = static_cast<float>((shift[i] + mean) * inverseScale);
-      results[SphereDeviation][i] = static_cast<float>(std::sqrt(variance) * inverseScale);
-      results[SphereRadius][i] = static_cast<float>(radius[i] * this->Step);
-      results[SphereSkewness][i] =
-        static_cast<float>(varies ? m3 / (divisor * std::sqrt(divisor)) : 0.);
-      results[SphereKurtosis][i] = static_cast<float>(varies ? m4 / (divisor * divisor) : 3.);
-    }
-    if constexpr (MayHaveNaN)
-    {
-      // Always the same NaN: what arithmetic makes of one differs between instruction sets.
-      const float nan = std::numeric_limits<float>::quiet_NaN();
-      for (auto& statistic : results)
+      const float* p = column.Samples + z * slice;
+      if (column.Complete && this->IsInside(column, this->Growth.GetReach(), z))
       {
-        for (int i = 0; i < Lanes; ++i)
-        {
-          statistic[i] = shift[i] == shift[i] ? statistic[i] : nan;
-        }
+        this->Growth.Begin<false>(p, groups[z]);
       }
-    }
-    const Index width = this->End[0] - this->Begin[0], height = this->End[1] - this->Begin[1];
-    const Index start =
-      ((z - this->Begin[2]) * height + y - this->Begin[1]) * width + x - this->Begin[0];
-    const Index count = std::min<Index>(Lanes, this->End[0] - x);
-    for (int s = 0; s < NumberOfSphereStatistics; ++s)
-    {
-      if (outputs[s])
+      else
       {
-        std::copy(results[s], results[s] + count, outputs[s] + start);
+        this->Growth.Begin<true>(p, groups[z]);
+      }
+      alive |= groups[z].AnyAlive;
+    }
+    for (size_t s = 0; s < this->Slices.size() && alive; ++s)
+    {
+      const SphereSlices& slices = this->Slices[s];
+      const Index* reach = slices.GetReach();
+      if (column.Complete && this->IsInside(column, reach))
+      {
+        this->AddSlices<false>(slices, column, work);
+      }
+      else
+      {
+        this->AddSlices<true>(slices, column, work);
+      }
+      alive = false;
+      for (Index z = 0; z < column.Count; ++z)
+      {
+        if (groups[z].AnyAlive)
+        {
+          const PowerSums* sums = work.Sums[static_cast<size_t>(z)].data();
+          if (column.Complete && this->IsInside(column, reach, z))
+          {
+            this->Growth.GoOn<false>(slices.GetFirst(), slices.GetSize(), sums, groups[z]);
+          }
+          else
+          {
+            this->Growth.GoOn<true>(slices.GetFirst(), slices.GetSize(), sums, groups[z]);
+          }
+          alive |= groups[z].AnyAlive;
+        }
       }
     }
   }
 
   /**
-   * The sums of the accepted spheres, about `shift`, and their radii in steps.
+   * The sums of the spheres of all groups of a column that still grow.
    */
-  template <bool MayHaveNaN>
-  void Grow(const float* p, PowerSums& accepted, float* __restrict shift,
-    float* __restrict radius) const
+  template <bool Gaps>
+  void AddSlices(const SphereSlices& slices, const Column& column, Workspace& work) const
   {
-    const Index* offsets = this->Offsets.data();
-    alignas(64) std::int32_t alive[Lanes], passed[Lanes];
-    PowerSums shell, total;
-    SphereTests::LaneConstants constants;
-    for (int i = 0; i < Lanes; ++i)
+    const SphereGroup* groups = work.Groups.data();
+    const Index count = column.Count, reach = slices.GetReach()[2];
+    for (Index z = 0; z < count; ++z)
     {
-      shift[i] = p[i];
-      radius[i] = 0.f;
-      alive[i] = p[i] == p[i];
+      if (groups[z].AnyAlive)
+      {
+        work.Sums[static_cast<size_t>(z)] = {};
+      }
     }
-    accepted = shell = PowerSums{};
-    // About an outlier the powers would lose digits: go on from the mean of S_1.
-    AddPowers<MayHaveNaN>(p, offsets, this->Ends[1], shift, shell);
-    for (int i = 0; i < Lanes; ++i)
+    alignas(64) float center[Lanes];
+    const Index end = std::min(count + reach, this->Size[2] - column.Z);
+    for (Index slice = std::max(-reach, -column.Z); slice < end; ++slice)
     {
-      const float n = MayHaveNaN ? shell.Count[i] : static_cast<float>(this->Ends[1]);
-      shift[i] += shell.Sum[0][i] / n;
-    }
-    const Index steps = static_cast<Index>(this->FullSpheres.size());
-    for (Index k = 1; k <= steps; ++k)
-    {
-      const Full& full = this->FullSpheres[static_cast<size_t>(k - 1)];
-      shell = PowerSums{};
-      const Index first = this->Ends[k - 1];
-      AddPowers<MayHaveNaN>(p, offsets + first, this->Ends[k] - first, shift, shell);
-      for (int i = 0; i < Lanes; ++i)
+      const Index low = std::max<Index>(slice - reach, 0);
+      const Index high = std::min(slice + reach + 1, count);
+      Index nearest = reach + 1;
+      for (Index z = low; z < high; ++z)
       {
-        shell.Count[i] = MayHaveNaN ? shell.Count[i] : full.ShellCounts[i];
-        total.Count[i] = accepted.Count[i] + shell.Count[i];
-        passed[i] = alive[i];
+        nearest = groups[z].AnyAlive ? std::min(nearest, std::abs(z - slice)) : nearest;
       }
-      for (int s = 0; s < 4; ++s)
+      if (nearest > reach)
       {
-        for (int i = 0; i < Lanes; ++i)
+        continue;
+      }
+      const float* p = column.Samples + slice * this->Box.Block[0] * this->Box.Block[1];
+      slices.SumDiscs<Gaps>(p, nearest, work.Discs.data(), center);
+      for (Index z = low; z < high; ++z)
+      {
+        if (groups[z].AnyAlive)
         {
-          total.Sum[s][i] = accepted.Sum[s][i] + shell.Sum[s][i];
+          slices.AddDiscs(work.Discs.data(), center, std::abs(z - slice), groups[z].Shift,
+            work.Sums[static_cast<size_t>(z)].data());
         }
-      }
-      if (k > 1)
-      {
-        const SphereTests::LaneConstants* sizes = MayHaveNaN ? &constants : &full.Constants;
-        if (MayHaveNaN)
-        {
-          this->Tests.Look(total.Count, constants);
-        }
-        this->Tests.TestNormality(total, *sizes, passed);
-        this->Tests.TestSimilarity(accepted, shell, passed);
-      }
-      std::int32_t any = 0;
-      for (int i = 0; i < Lanes; ++i)
-      {
-        accepted.Count[i] = passed[i] ? total.Count[i] : accepted.Count[i];
-        radius[i] = passed[i] ? static_cast<float>(k) : radius[i];
-        alive[i] = passed[i];
-        any |= passed[i];
-      }
-      for (int s = 0; s < 4; ++s)
-      {
-        for (int i = 0; i < Lanes; ++i)
-        {
-          accepted.Sum[s][i] = passed[i] ? total.Sum[s][i] : accepted.Sum[s][i];
-        }
-      }
-      if (!any)
-      {
-        break;
       }
     }
   }
 
-  const SphereTests& Tests;
-  std::vector<Index> Ends, Offsets; // as in SphereShells, in the block
-  std::vector<Full> FullSpheres;    // [k - 1]: constants of a sphere without gaps and of its shell
-  double Step;
+  /**
+   * Writes the statistics of a column as far as they are samples of the output.
+   */
+  void Store(const Column& column, const SphereGroup* groups, float* const* outputs) const
+  {
+    const Index width = this->End[0] - this->Begin[0], height = this->End[1] - this->Begin[1];
+    const Index count = std::min<Index>(Lanes, this->End[0] - column.X);
+    Index start = ((column.Z - this->Begin[2]) * height + column.Y - this->Begin[1]) * width +
+      column.X - this->Begin[0];
+    for (Index z = 0; z < column.Count; ++z, start += width * height)
+    {
+      alignas(64) float results[NumberOfSphereStatistics][Lanes];
+      this->Growth.GetStatistics(groups[z], this->Scale, results);
+      for (int s = 0; s < NumberOfSphereStatistics; ++s)
+      {
+        if (outputs[s])
+        {
+          std::copy(results[s], results[s] + count, outputs[s] + start);
+        }
+      }
+    }
+  }
+
+  Boxes Box;
+  SphereGrowth Growth;
+  std::vector<SphereSlices> Slices; // of the spheres beyond the direct ones
   float Scale;
-  Index Size[3], Begin[3], End[3], Reach[3];
-  Index BlockSize[3], Tiles[3];
+  Index Size[3], Begin[3], End[3], Reach[3], Tiles[3];
 };
 }
 

@@ -18,6 +18,7 @@
 #define TFCSphereTests_h
 
 #include "TFCNormality.h"
+#include "TFCPowerSums.h"
 #include "TFCWelch.h"
 
 #include <array>
@@ -28,17 +29,6 @@
 
 namespace tfc
 {
-constexpr int Lanes = 16;
-
-/**
- * Number of samples and sums of their powers for each lane.
- */
-struct PowerSums
-{
-  alignas(64) float Count[Lanes];
-  alignas(64) float Sum[4][Lanes];
-};
-
 /**
  * Natural logarithm of a normal number >= 1 (Cephes; relative error 1e-7).
  */

@@ -128,6 +128,12 @@ void vtkTFCVolumeRepresentation::SetShadingArray(const char* name)
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetShadeByOpacity(bool byOpacity)
+{
+  this->GetMapper()->SetShadeByOpacity(byOpacity);
+}
+
+//------------------------------------------------------------------------------
 void vtkTFCVolumeRepresentation::SetRayBlending(int mode)
 {
   this->RayBlending = mode;
@@ -137,6 +143,12 @@ void vtkTFCVolumeRepresentation::SetRayBlending(int mode)
 void vtkTFCVolumeRepresentation::SetBlendMode(int mode)
 {
   this->SharedBlendMode = mode;
+}
+
+//------------------------------------------------------------------------------
+void vtkTFCVolumeRepresentation::SetSlicePlane(vtkImplicitFunction* plane)
+{
+  this->SlicePlane = plane;
 }
 
 //------------------------------------------------------------------------------
@@ -287,9 +299,9 @@ void vtkTFCVolumeRepresentation::UpdateMapperParameters()
 {
   this->Actor->SetMapper(this->VolumeMapper);
   this->Actor->SetVisibility(this->GetVisibility());
-  this->VolumeMapper->SetBlendMode(this->SharedBlendMode != vtkVolumeMapper::COMPOSITE_BLEND
-      ? this->SharedBlendMode
-      : this->RayBlending);
+  const bool shared = this->SharedBlendMode != vtkVolumeMapper::COMPOSITE_BLEND;
+  this->VolumeMapper->SetBlendMode(shared ? this->SharedBlendMode : this->RayBlending);
+  this->Property->SetSliceFunction(this->SlicePlane);
   auto* controller = vtkMultiProcessController::GetGlobalController();
   this->GetMapper()->SetDistributed(controller && controller->GetNumberOfProcesses() > 1);
   if (this->Property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION)

@@ -70,16 +70,27 @@ public:
    */
   void SetShadingArray(const char* name);
 
+  /**
+   * Whether the normal of shading is the gradient of the classified opacity. Default: no.
+   */
+  void SetShadeByOpacity(bool byOpacity);
+
   ///@{
   /**
    * How the samples of a ray are blended: vtkVolumeMapper's COMPOSITE_BLEND (0),
-   * MAXIMUM_INTENSITY_BLEND (1), AVERAGE_INTENSITY_BLEND (3) or ADDITIVE_BLEND (4), see
-   * vtkTFCVolumeMapper. Default: 0. SetBlendMode() is that of ParaView's own volume representation,
-   * which has isosurface and slice instead: anything but composite there is passed on and reported.
+   * MAXIMUM_INTENSITY_BLEND (1), AVERAGE_INTENSITY_BLEND (3), ADDITIVE_BLEND (4) or SLICE_BLEND
+   * (6), see vtkTFCVolumeMapper. Default: 0. SetBlendMode() is that of ParaView's own volume
+   * representation, which has isosurface and slice: anything but composite there is passed on.
    */
   void SetRayBlending(int mode);
   void SetBlendMode(int mode);
   ///@}
+
+  /**
+   * A vtkPlane in world coordinates, what slice blending shows, here also where ParaView's own
+   * volume representation takes its SliceFunction.
+   */
+  void SetSlicePlane(vtkImplicitFunction* plane);
 
   /**
    * 27-bit mask of the cropping regions that stay visible while cropping is on, as
@@ -109,6 +120,7 @@ private:
   vtkNew<vtkTFCTransferFunction> Model;
   int RayBlending = 0;
   int SharedBlendMode = 0;
+  vtkSmartPointer<vtkImplicitFunction> SlicePlane;
   vtkMTimeType RangesTime = 0;             ///< of the data
   std::vector<vtkTFCAttribute> RangedAxes; ///< whose automatic ranges the mapper has
   vtkTimeStamp DataTime;

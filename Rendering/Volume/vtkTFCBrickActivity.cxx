@@ -87,7 +87,6 @@ class BrickTest
 {
 public:
   BrickTest(const vtkTFCCompiledModel& model, const std::vector<vtkTFCStoredAttribute>& stored)
-    : Model(model)
   {
     for (int axis = 0; axis < 2; ++axis)
     {
@@ -99,18 +98,20 @@ public:
     for (const auto& region : model.Regions)
     {
       this->Cells.Mark(region);
-      Tertiary tertiary;
+      Candidate candidate;
+      candidate.Region = &region;
+      candidate.Bounds = region.Bounds;
       if (region.Tertiary >= 0)
       {
         const vtkTFCStoredAttribute& attribute = stored[region.Tertiary];
-        tertiary.Channel = attribute.Channel;
+        candidate.Channel = attribute.Channel;
         for (const auto& interval : vtkTFCPositiveIntervals(region))
         {
-          tertiary.Intervals.push_back({ (interval[0] - attribute.Offset) / attribute.Scale,
+          candidate.Intervals.push_back({ (interval[0] - attribute.Offset) / attribute.Scale,
             (interval[1] - attribute.Offset) / attribute.Scale });
         }
       }
-      this->Tertiaries.push_back(tertiary);
+      this->Candidates.push_back(candidate);
     }
     this->Cells.Sum();
   }
@@ -138,9 +139,11 @@ public:
     {
       return false;
     }
-    for (size_t r = 0; r < this->Model.Regions.size(); ++r)
+    for (const Candidate& candidate : this->Candidates)
     {
-      if (vtkTFCMayOverlap(this->Model.Regions[r], box) && this->Tertiaries[r].MaySee(range, more))
+      // The cheap tests first: most bricks fail them for most regions.
+      if (candidate.IsNear(box) && candidate.MaySee(range, more) &&
+        vtkTFCMayOverlap(*candidate.Region, box))
       {
         return true;
       }
@@ -149,10 +152,18 @@ public:
   }
 
 private:
-  struct Tertiary
+  struct Candidate
   {
-    int Channel = -1;
+    const vtkTFCCompiledRegion* Region;
+    Box Bounds;
+    int Channel = -1; // of the tertiary attribute
     std::vector<std::array<double, 2>> Intervals;
+
+    bool IsNear(const Box& box) const
+    {
+      return box[0] <= this->Bounds[1] && box[1] >= this->Bounds[0] && box[2] <= this->Bounds[3] &&
+        box[3] >= this->Bounds[2];
+    }
 
     bool MaySee(const vtkTFCBrickRanges::Range& first, const vtkTFCBrickRanges::Range* more) const
     {
@@ -172,12 +183,11 @@ private:
     }
   };
 
-  const vtkTFCCompiledModel& Model;
   std::array<int, 2> Channel;
   std::array<double, 2> Scale;
   std::array<double, 2> Bias;
   CellCounts Cells;
-  std::vector<Tertiary> Tertiaries;
+  std::vector<Candidate> Candidates;
 };
 
 }
@@ -204,77 +214,4 @@ std::vector<unsigned char> vtkTFCBrickActivity::Find(const vtkTFCBrickRanges& ra
       }
     });
   return active;
-}
-
-//------------------------------------------------------------------------------
-std::vector<unsigned char> vtkTFCBrickActivity::FindDistances(
-  const std::vector<unsigned char>& active, const std::array<int, 3>& dimensions)
-{
-  // Two sweeps, each taking the distances of the 13 neighbours behind it: exact for this metric.
-  // With a border of far bricks no neighbour is missing.
-  const std::array<vtkIdType, 3> padded = { dimensions[0] + 2, dimensions[1] + 2,
-    dimensions[2] + 2 };
-  const vtkIdType rowLength = padded[0];
-  const vtkIdType layer = rowLength * padded[1];
-  std::vector<unsigned char> work(layer * padded[2], LargestDistance);
-  const auto row = [&](int j, int k)
-  { return work.data() + (k + 1) * layer + (j + 1) * rowLength + 1; };
-  const auto plain = [&](int j, int k)
-  { return dimensions[0] * (j + static_cast<vtkIdType>(dimensions[1]) * k); };
-  for (int k = 0; k < dimensions[2]; ++k)
-  {
-    for (int j = 0; j < dimensions[1]; ++j)
-    {
-      const unsigned char* from = active.data() + plain(j, k);
-      std::transform(from, from + dimensions[0], row(j, k),
-        [](unsigned char a) -> unsigned char { return a ? 0 : LargestDistance; });
-    }
-  }
-  std::vector<unsigned char> nearest(dimensions[0]);
-  const auto sweep = [&](int j, int k, int direction)
-  {
-    // The four finished rows beside this one, then along the row itself.
-    unsigned char* out = row(j, k);
-    const vtkIdType rows[4] = { -direction * rowLength, direction * (-layer - rowLength),
-      direction * -layer, direction * (rowLength - layer) };
-    std::fill(nearest.begin(), nearest.end(), static_cast<unsigned char>(LargestDistance));
-    for (const vtkIdType offset : rows)
-    {
-      const unsigned char* other = out + offset;
-      for (int i = 0; i < dimensions[0]; ++i)
-      {
-        const unsigned char beside = std::min(other[i - 1], std::min(other[i], other[i + 1]));
-        nearest[i] = std::min(nearest[i], beside);
-      }
-    }
-    const int first = direction > 0 ? 0 : dimensions[0] - 1;
-    for (int i = first; i >= 0 && i < dimensions[0]; i += direction)
-    {
-      const int beside = 1 + std::min(nearest[i], out[i - direction]);
-      out[i] = static_cast<unsigned char>(std::min<int>(out[i], beside));
-    }
-  };
-  for (int k = 0; k < dimensions[2]; ++k)
-  {
-    for (int j = 0; j < dimensions[1]; ++j)
-    {
-      sweep(j, k, 1);
-    }
-  }
-  for (int k = dimensions[2] - 1; k >= 0; --k)
-  {
-    for (int j = dimensions[1] - 1; j >= 0; --j)
-    {
-      sweep(j, k, -1);
-    }
-  }
-  std::vector<unsigned char> distances(active.size());
-  for (int k = 0; k < dimensions[2]; ++k)
-  {
-    for (int j = 0; j < dimensions[1]; ++j)
-    {
-      std::copy_n(row(j, k), dimensions[0], distances.data() + plain(j, k));
-    }
-  }
-  return distances;
 }

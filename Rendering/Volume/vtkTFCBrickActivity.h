@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Which bricks of a packed image a transfer function can show, and how far it is to them.
+ * @brief Which bricks of a packed image a transfer function can show.
  *
  * A brick is active when some region's 2D weight may be non-zero over the brick's range of the two
  * axes and the region's tertiary opacity may be non-zero over its range of the tertiary attribute.
@@ -24,9 +24,6 @@
 
 namespace vtkTFCBrickActivity
 {
-/// Distances are cut here: a leap over more bricks at a time gains nothing.
-constexpr int LargestDistance = 31;
-
 /**
  * For every brick 1 when it is active, else 0. `stored` says how the attributes of `model` are
  * stored in the channels that `ranges` were taken of, those beyond the fourth in `moreRanges`,
@@ -35,13 +32,6 @@ constexpr int LargestDistance = 31;
 VTKTFCVOLUME_EXPORT std::vector<unsigned char> Find(const vtkTFCBrickRanges& ranges,
   const vtkTFCBrickRanges& moreRanges, const vtkTFCCompiledModel& model,
   const std::vector<vtkTFCStoredAttribute>& stored);
-
-/**
- * For every brick the chessboard distance to the nearest active brick, in bricks: 0 for active
- * ones, at most LargestDistance.
- */
-VTKTFCVOLUME_EXPORT std::vector<unsigned char> FindDistances(
-  const std::vector<unsigned char>& active, const std::array<int, 3>& dimensions);
 }
 
 #endif

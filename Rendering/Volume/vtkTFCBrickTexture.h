@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Keeps the brick distances of vtkTFCBrickActivity in a 3D texture of one OpenGL context.
+ * @brief Keeps the distances of vtkTFCBrickDistances in a 3D texture of one OpenGL context.
  *
  * One byte a brick, not filtered. One texture unit, only while active.
  */

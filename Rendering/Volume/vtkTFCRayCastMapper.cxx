@@ -36,7 +36,7 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-std::string MakeDefinitions(unsigned int features, bool cropping, bool shaded)
+std::string MakeDefinitions(unsigned int features, bool cropping, bool shaded, bool byOpacity)
 {
   const auto define = [](const char* name, int value)
   { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
@@ -50,6 +50,7 @@ std::string MakeDefinitions(unsigned int features, bool cropping, bool shaded)
     { vtkTFCShaderTables::TertiaryColors, "TFC_TERTIARY_COLORS" },
     { vtkTFCShaderTables::Patches, "TFC_PATCHES" },
     { vtkTFCShaderTables::MoreAttributes, "TFC_MORE_ATTRIBUTES" },
+    { vtkTFCShaderTables::SeveralRegions, "TFC_SEVERAL_REGIONS" },
   };
   for (const auto& [feature, name] : names)
   {
@@ -57,6 +58,7 @@ std::string MakeDefinitions(unsigned int features, bool cropping, bool shaded)
   }
   text += cropping ? define("TFC_CROPPING", 1) : "";
   text += shaded ? define("TFC_SHADED", 1) : "";
+  text += shaded && byOpacity ? define("TFC_SHADE_BY_OPACITY", 1) : "";
   return text;
 }
 
@@ -71,6 +73,8 @@ std::string MakeBlending(int mode)
       return "#define TFC_ADDITIVE 1\n";
     case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
       return "#define TFC_AVERAGE 1\n";
+    case vtkVolumeMapper::SLICE_BLEND:
+      return "#define TFC_SLICE 1\n";
     default:
       return "#define TFC_COMPOSITE 1\n";
   }
@@ -166,6 +170,13 @@ void vtkTFCRayCastMapper::SetDistances(double sampleDistance, double unitDistanc
 }
 
 //------------------------------------------------------------------------------
+void vtkTFCRayCastMapper::SetPixelSize(int size)
+{
+  // Not SetImageSampleDistance(), for the same reason.
+  this->ImageSampleDistance = static_cast<float>(size);
+}
+
+//------------------------------------------------------------------------------
 int vtkTFCRayCastMapper::GetNumberOfTableUploads() const
 {
   return this->Texture->GetNumberOfUploads();
@@ -189,6 +200,7 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
   uniforms->SetUniformi("in_tfcBricks", this->BrickTexture->GetTextureUnit());
   uniforms->SetUniformf("in_tfcBrickSize", static_cast<float>(this->BrickSize));
   uniforms->SetUniformi("in_tfcGridSize", this->Tables.GridSize);
+  uniforms->SetUniformi("in_tfcFirstRecord", this->Tables.FirstRecord);
   uniforms->SetUniform2f("in_tfcAxisScale", this->Tables.AxisScale.data());
   uniforms->SetUniform2f("in_tfcAxisBias", this->Tables.AxisBias.data());
   uniforms->SetUniformi("in_tfcBlendOver", this->Tables.BlendOver ? 1 : 0);
@@ -197,6 +209,10 @@ void vtkTFCRayCastMapper::SetUniforms(vtkVolume* vol)
   uniforms->SetUniform3f("in_tfcBoxMin", this->Visible.BoxMin.data());
   uniforms->SetUniform3f("in_tfcBoxMax", this->Visible.BoxMax.data());
   uniforms->SetUniform3f("in_tfcUpperMargin", this->Visible.UpperMargin.data());
+  if (this->Blending == SLICE_BLEND)
+  {
+    uniforms->SetUniform4f("in_tfcSlicePlane", this->Visible.SlicePlane.data());
+  }
   uniforms->SetUniform3f("in_tfcCropMin", this->Visible.CropMin.data());
   uniforms->SetUniform3f("in_tfcCropMax", this->Visible.CropMax.data());
   uniforms->SetUniformi("in_tfcCropFlags", this->Visible.CropFlags);
@@ -258,7 +274,7 @@ bool vtkTFCRayCastMapper::UploadTextures(vtkOpenGLRenderWindow* window, vtkVolum
     return refuse("x 16 bytes for the fifth to eighth attribute",
       "Let regions share their tertiary attributes, or use fewer voxels.");
   }
-  if (!property->GetShade())
+  if (!property->GetShade() || this->ShadeByOpacity)
   {
     this->GradientTexture->ReleaseGraphicsResources(window);
   }
@@ -281,10 +297,11 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
     return;
   }
   const bool shaded = vol->GetProperty()->GetShade() != 0;
+  const bool hasGradients = shaded && !this->ShadeByOpacity;
   this->HasCropped = this->HasCropped || this->Visible.CropFlags >= 0;
   this->Texture->Activate();
   this->BrickTexture->Activate();
-  if (shaded)
+  if (hasGradients)
   {
     this->GradientTexture->Activate();
     vol->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("in_tfcGradients",
@@ -305,11 +322,12 @@ void vtkTFCRayCastMapper::GPURender(vtkRenderer* ren, vtkVolume* vol)
       third->GetTextureUnit());
   }
   InstallReplacements(vol->GetShaderProperty(),
-    MakeDefinitions(this->Features | this->Tables.FeaturesUsed, this->HasCropped, shaded) +
-      MakeBlending(this->Blending));
+    MakeDefinitions(this->Features | this->Tables.FeaturesUsed, this->HasCropped, shaded,
+      this->ShadeByOpacity) +
+      MakeBlending(this->Blending) + (ren->GetSelector() ? "#define TFC_SELECTION 1\n" : ""));
   this->SetUniforms(vol);
   this->Superclass::GPURender(ren, vol);
-  if (shaded)
+  if (hasGradients)
   {
     this->GradientTexture->Deactivate();
   }

@@ -65,6 +65,8 @@ public:
     std::vector<std::array<float, 4>> ClippingPlanes;
     std::array<float, 3> CropMin = { 0, 0, 0 };
     std::array<float, 3> CropMax = { 1, 1, 1 };
+    /// Plane of slice blending, 0 on it.
+    std::array<float, 4> SlicePlane = { 0, 0, 0, 0 };
     /// Bits of vtkVolumeMapper::CroppingRegionFlags, or -1 for no cropping.
     int CropFlags = -1;
   };
@@ -78,15 +80,18 @@ public:
   void SetFeatures(unsigned int features) { this->Features = features; }
 
   /// How the samples of a ray are blended: vtkVolumeMapper's COMPOSITE_BLEND,
-  /// MAXIMUM_INTENSITY_BLEND, AVERAGE_INTENSITY_BLEND or ADDITIVE_BLEND. For VTK this mapper always
-  /// composites, so that its own code for other modes stays out of the shader.
+  /// MAXIMUM_INTENSITY_BLEND, AVERAGE_INTENSITY_BLEND, ADDITIVE_BLEND or SLICE_BLEND. For VTK this
+  /// mapper always composites, so that its own code for other modes stays out of the shader.
   void SetBlending(int mode) { this->Blending = mode; }
 
   /// What to shade by the gradient of, a value per texel, or null for the first packed attribute.
   /// It must live until the next call.
   void SetShadingValues(vtkFloatArray* values) { this->ShadingValues = values; }
 
-  /// The distances of vtkTFCBrickActivity for the input; before the first frame.
+  /// Shade by the gradient of the classified opacity instead.
+  void SetShadeByOpacity(bool byOpacity) { this->ShadeByOpacity = byOpacity; }
+
+  /// The vtkTFCBrickDistances for the input; before the first frame.
   void SetBricks(std::vector<unsigned char> distances, const std::array<int, 3>& dimensions,
     int brickSize);
 
@@ -96,8 +101,8 @@ public:
   /// World distance between samples and over which the model's opacities hold.
   void SetDistances(double sampleDistance, double unitDistance);
 
-  /// Let VTK coarsen the image and the step to reach the allocated render time.
-  void SetInteractive(bool interactive) { this->AutoAdjustSampleDistances = interactive ? 1 : 0; }
+  /// Draw one pixel for `size` x `size` of the window's, interpolated in between.
+  void SetPixelSize(int size);
 
   /// Uploads of tables so far, for tests.
   int GetNumberOfTableUploads() const;
@@ -134,6 +139,7 @@ private:
   double UnitDistance = 1;
   int Blending = COMPOSITE_BLEND;
   vtkFloatArray* ShadingValues = nullptr;
+  bool ShadeByOpacity = false;
 };
 
 #endif

@@ -5,11 +5,13 @@
 #include "vtkTFCRayCastMapper.h"
 
 #include "vtkMultiBlockVolumeMapper.h"
+#include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkVolumeProperty.h"
 
 //------------------------------------------------------------------------------
-std::string vtkTFCSettingsCheck::FindError(vtkMultiBlockVolumeMapper* mapper, int blocks,
-  bool distributed)
+std::string vtkTFCSettingsCheck::FindError(vtkMultiBlockVolumeMapper* mapper,
+  vtkVolumeProperty* property, int blocks, bool distributed)
 {
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   if (planes && planes->GetNumberOfItems() > vtkTFCRayCastMapper::MaximumNumberOfClippingPlanes)
@@ -20,13 +22,17 @@ std::string vtkTFCSettingsCheck::FindError(vtkMultiBlockVolumeMapper* mapper, in
   {
     case vtkVolumeMapper::COMPOSITE_BLEND:
       return "";
+    case vtkVolumeMapper::SLICE_BLEND:
+      return vtkPlane::SafeDownCast(property->GetSliceFunction())
+        ? ""
+        : "slice blending needs a vtkPlane as the SliceFunction of the volume's property.";
     case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
     case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
     case vtkVolumeMapper::ADDITIVE_BLEND:
       break;
     default:
-      return "the blend mode must be composite, maximum, average or additive; minimum, isosurface "
-             "and slice show one scalar, and a combined transfer function has several.";
+      return "the blend mode must be composite, maximum, average, additive or slice; minimum and "
+             "isosurface show one scalar, and a combined transfer function has several.";
   }
   if (distributed)
   {
@@ -67,8 +73,15 @@ std::string vtkTFCSettingsCheck::FindErrorOnCPU(vtkMultiBlockVolumeMapper* mappe
 
 //------------------------------------------------------------------------------
 std::string vtkTFCSettingsCheck::FindOmission(vtkMultiBlockVolumeMapper* mapper, bool onCPU,
-  const std::string& shadingArray)
+  const std::string& shadingArray, int peeledBlocks)
 {
+  if (peeledBlocks > 1)
+  {
+    // vtkDualDepthPeelingPass takes the maximum of all volumes between two layers.
+    return "VTK's depth peeling cannot tell which of the " + std::to_string(peeledBlocks) +
+      " blocks of this volume is in front; where they cover each other the picture is wrong. "
+      "Switch off UseDepthPeelingForVolumes, raise MemoryLimit, or resample to one image.";
+  }
   if (mapper->GetVolumetricScatteringBlending() > 0.0f)
   {
     return "volumetric scattering is not available for a combined transfer function, and is left "

@@ -257,7 +257,7 @@ std::vector<std::unique_ptr<vtkTFCPatch>> FitPatches(const vtkTFCCompiledModel& 
 //------------------------------------------------------------------------------
 unsigned int FindFeatures(const vtkTFCCompiledModel& model)
 {
-  unsigned int features = 0;
+  unsigned int features = model.Regions.size() > 1 ? vtkTFCShaderTables::SeveralRegions : 0;
   for (const auto& region : model.Regions)
   {
     features |=
@@ -324,7 +324,12 @@ vtkTFCShaderTables vtkTFCShaderTables::Build(const vtkTFCCompiledModel& model,
   {
     regions.push_back(MakeRecord(region, stored, hasTertiaries, texels));
   }
-  texels.reserve(texels.size() + RecordTexels * records);
+  texels.reserve(texels.size() + RecordTexels * (records + 1));
+  if (regions.size() == 1)
+  {
+    tables.FirstRecord = static_cast<int>(texels.size());
+    texels.insert(texels.end(), regions[0].begin(), regions[0].end());
+  }
   std::vector<std::vector<int>> members;
   members.reserve(static_cast<size_t>(sets.GetNumberOfSets()));
   for (int set = 0; set < sets.GetNumberOfSets(); ++set)

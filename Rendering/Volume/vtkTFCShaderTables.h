@@ -68,8 +68,9 @@ struct VTKTFCVOLUME_EXPORT vtkTFCShaderTables
     Gaussians = 2,
     Tertiaries = 4,
     TertiaryColors = 8,
-    Patches = 16,       ///< cells where many regions overlap
-    MoreAttributes = 32 ///< channels beyond the fourth
+    Patches = 16,        ///< cells where many regions overlap
+    MoreAttributes = 32, ///< channels beyond the fourth
+    SeveralRegions = 64  ///< else the only record is kept for the whole ray
   };
   unsigned int FeaturesUsed = 0; ///< by the model, and those asked for
 
@@ -78,6 +79,7 @@ struct VTKTFCVOLUME_EXPORT vtkTFCShaderTables
   std::array<float, 2> AxisScale = { 1, 1 };
   std::array<float, 2> AxisBias = { 0, 0 };
   bool BlendOver = false;
+  int FirstRecord = 0; ///< texel of the record of a single region
 
   /**
    * Write the tables of `model`, whose attribute i is stored as stored[i], for a shader that has

@@ -3,6 +3,7 @@
 #include "vtkTFCVolumeBlock.h"
 
 #include "vtkTFCBrickActivity.h"
+#include "vtkTFCBrickDistances.h"
 #include "vtkTFCVisibilityOrder.h"
 
 #include "vtkBoundingBox.h"
@@ -47,8 +48,8 @@ TextureAxis MakeTextureAxis(int numberOfPoints, bool cellData)
 
 //------------------------------------------------------------------------------
 // Planes given in world coordinates, in texture coordinates of the packed image.
-std::vector<std::array<float, 4>> MakeClippingPlanes(vtkPlaneCollection* planes,
-  vtkImageData* image, vtkMatrix4x4* volumeMatrix, const TextureAxis axes[3])
+std::vector<std::array<float, 4>> MakeTexturePlanes(vtkPlaneCollection* planes, vtkImageData* image,
+  vtkMatrix4x4* volumeMatrix, const TextureAxis axes[3])
 {
   vtkNew<vtkMatrix4x4> textureToIndex;
   for (int axis = 0; axis < 3; ++axis)
@@ -170,7 +171,7 @@ void vtkTFCVolumeBlock::UpdateBricks(const vtkTFCCompiledModel& model, bool skip
     }
     const auto& dimensions = this->Ranges.GetDimensions();
     this->Caster->SetBricks(
-      vtkTFCBrickActivity::FindDistances(
+      vtkTFCBrickDistances::Find(
         vtkTFCBrickActivity::Find(this->Ranges, this->MoreRanges, model, this->Packer.GetStored()),
         dimensions),
       dimensions, this->Ranges.GetBrickSize());
@@ -253,14 +254,22 @@ vtkTFCRayCastMapper::Visibility vtkTFCVolumeBlock::FindVisibility(vtkVolumeMappe
   {
     vtkNew<vtkMatrix4x4> volumeMatrix;
     vol->GetModelToWorldMatrix(volumeMatrix);
-    visibility.ClippingPlanes = MakeClippingPlanes(planes, image, volumeMatrix, axes);
+    visibility.ClippingPlanes = MakeTexturePlanes(planes, image, volumeMatrix, axes);
+  }
+  if (mapper->GetBlendMode() == vtkVolumeMapper::SLICE_BLEND)
+  {
+    vtkNew<vtkPlaneCollection> planes;
+    planes->AddItem(vtkPlane::SafeDownCast(vol->GetProperty()->GetSliceFunction()));
+    vtkNew<vtkMatrix4x4> volumeMatrix;
+    vol->GetModelToWorldMatrix(volumeMatrix);
+    visibility.SlicePlane = MakeTexturePlanes(planes, image, volumeMatrix, axes).front();
   }
   return visibility;
 }
 
 //------------------------------------------------------------------------------
 void vtkTFCVolumeBlock::Render(vtkRenderer* ren, vtkVolume* vol, vtkVolumeMapper* mapper,
-  double sampleDistance, unsigned int features)
+  const Resolution& resolution, unsigned int features)
 {
   this->Caster->SetInputData(this->Packer.GetImage());
   this->Caster->SetScalarMode(
@@ -270,8 +279,9 @@ void vtkTFCVolumeBlock::Render(vtkRenderer* ren, vtkVolume* vol, vtkVolumeMapper
   this->Caster->SetBlending(mapper->GetBlendMode());
   this->Caster->SetMoreAttributes(this->Packer.GetMore());
   this->Caster->SetVisibility(this->FindVisibility(mapper, vol));
-  this->Caster->SetDistances(sampleDistance, vol->GetProperty()->GetScalarOpacityUnitDistance());
-  this->Caster->SetInteractive(ren->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0);
+  this->Caster->SetDistances(resolution.SampleDistance,
+    vol->GetProperty()->GetScalarOpacityUnitDistance());
+  this->Caster->SetPixelSize(resolution.PixelSize);
   this->Caster->Render(ren, vol);
 }
 

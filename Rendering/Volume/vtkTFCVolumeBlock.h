@@ -55,13 +55,22 @@ public:
   void UpdateShading(const vtkTFCImageBlocks::Block& block, const std::string& array,
     std::string& error);
 
+  /// Shade by the gradient of the classified opacity; builds a shader when it changes.
+  void SetShadeByOpacity(bool byOpacity) { this->Caster->SetShadeByOpacity(byOpacity); }
+
   /// Whether pieces of rays begin at random; builds a shader when it changes.
   void SetJittering(bool jittering) { this->Caster->SetUseJittering(jittering); }
 
-  /// Draw with a shader that has `features`, settings taken from `mapper`. The distance between
-  /// samples is a world length.
-  void Render(vtkRenderer* ren, vtkVolume* vol, vtkVolumeMapper* mapper, double sampleDistance,
-    unsigned int features);
+  /// How finely to draw: world distance between samples, and side of a pixel.
+  struct Resolution
+  {
+    double SampleDistance = 1;
+    int PixelSize = 1;
+  };
+
+  /// Draw with a shader that has `features`, settings taken from `mapper`.
+  void Render(vtkRenderer* ren, vtkVolume* vol, vtkVolumeMapper* mapper,
+    const Resolution& resolution, unsigned int features);
 
   /// Half the mean spacing of the image.
   double GetDefaultSampleDistance() const;

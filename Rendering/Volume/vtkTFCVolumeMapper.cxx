@@ -2,20 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTFCVolumeMapper.h"
 
+#include "vtkTFCBlendBuffer.h"
+#include "vtkTFCBlockSet.h"
 #include "vtkTFCFallbackRenderer.h"
+#include "vtkTFCFrameBudget.h"
 #include "vtkTFCGraphicsSupport.h"
-#include "vtkTFCImageBlocks.h"
 #include "vtkTFCSettingsCheck.h"
-#include "vtkTFCTextureLimit.h"
 #include "vtkTFCTransferFunction.h"
 #include "vtkTFCVolumeBlock.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTimerLog.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -24,175 +31,36 @@
 #include <cmath>
 #include <vector>
 
+namespace
+{
+
+// Frames per second from which on a window is being moved. VTK asks a window at rest for 0.0001,
+// ParaView for 0.002.
+constexpr double SlowestMovingRate = 1.0;
+
+//------------------------------------------------------------------------------
+bool HasRenderPass(vtkVolume* vol)
+{
+  vtkInformation* keys = vol->GetPropertyKeys();
+  return keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
+}
+
+}
+
 //------------------------------------------------------------------------------
 class vtkTFCVolumeMapper::Internals
 {
 public:
-  vtkTFCImageBlocks Images;
-  std::vector<std::unique_ptr<vtkTFCVolumeBlock>> Blocks;
-  bool Streaming = false; // textures do not fit into the memory limit at a time
+  vtkTFCBlockSet Blocks;
+  vtkTFCBlendBuffer Buffer;
+  vtkTFCFrameBudget Budget;
+  vtkTFCImageBlocks ImagesForCPU;
   vtkTFCFallbackRenderer Fallback;
   vtkRenderWindow* ProbedWindow = nullptr; // only compared
   std::string Missing;                     // of its OpenGL
   std::string WarnedOf;
   std::string Omission; // from the picture, as last told
-
-  // The model with the axis ranges it was compiled for.
-  vtkTFCCompiledModel Model;
-  std::array<double, 4> UsedRanges = { 0, 1, 0, 1 };
-  vtkMTimeType ModelTime = 0;
-  vtkTFCTransferFunction* CompiledFrom = nullptr; // only compared
-  unsigned int ModelGeneration = 0;
-  unsigned int ImagesGeneration = 0;
-  bool ModelOutdated = true;
-  unsigned int Features = 0;  // of all tables so far
-  int FormerTableUploads = 0; // of blocks that are gone
-  int FormerVolumeUploads = 0;
-
-  bool UpdateBlocks(vtkTFCVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
-    std::string& error);
-  bool PackAndCompile(vtkTFCVolumeMapper* mapper, std::string& error);
-  void RemoveBlocks(vtkWindow* window);
 };
-
-//------------------------------------------------------------------------------
-void vtkTFCVolumeMapper::Internals::RemoveBlocks(vtkWindow* window)
-{
-  for (auto& block : this->Blocks)
-  {
-    this->FormerTableUploads += block->GetNumberOfTableUploads();
-    this->FormerVolumeUploads += block->GetNumberOfVolumeUploads();
-    block->ReleaseGraphicsResources(window);
-  }
-  this->Blocks.clear();
-}
-
-//------------------------------------------------------------------------------
-// Find the images to draw. Returns whether there are any.
-bool vtkTFCVolumeMapper::Internals::UpdateBlocks(vtkTFCVolumeMapper* mapper, vtkRenderer* ren,
-  vtkVolume* vol, std::string& error)
-{
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  vtkTFCImageBlocks::Limits limits;
-  limits.LongestSide = mapper->LongestTextureSide > 0 ? mapper->LongestTextureSide
-                                                      : vtkTFCTextureLimit::FindLongestSide(window);
-  const size_t attributes = this->Model.Attributes.size();
-  const vtkIdType voxelBytes = (attributes > 4      ? 32
-                                   : attributes > 2 ? 16
-                                                    : 8) +
-    (vol->GetProperty()->GetShade() ? 8 : 0);
-  const vtkIdType limit = static_cast<vtkIdType>(mapper->MemoryLimit) << 20;
-  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
-  window->MakeCurrent();
-  limits.MostVoxels = vtkTFCTextureLimit::FindMostVoxels(window, input, attributes > 2 ? 4 : 2);
-  if (limit > 0)
-  {
-    limits.MostVoxels = std::min(limits.MostVoxels, limit / voxelBytes);
-  }
-  std::vector<vtkTFCAttribute> arrays = this->Model.Attributes;
-  if (!mapper->ShadingArray.empty())
-  {
-    arrays.push_back({ mapper->ShadingArray, 0 });
-  }
-  const auto& images = this->Images.Update(input, arrays, limits, error);
-  if (this->ImagesGeneration != this->Images.GetGeneration())
-  {
-    this->ImagesGeneration = this->Images.GetGeneration();
-    // One image for another keeps its block, with what it drew last.
-    if (this->Blocks.size() != images.size())
-    {
-      this->RemoveBlocks(window);
-      for (size_t i = 0; i < images.size(); ++i)
-      {
-        this->Blocks.push_back(std::make_unique<vtkTFCVolumeBlock>());
-      }
-    }
-    vtkIdType bytes = 0;
-    for (const auto& image : images)
-    {
-      bytes += image.Image->GetNumberOfPoints() * voxelBytes;
-    }
-    this->Streaming = limit > 0 && bytes > limit;
-  }
-  return !images.empty();
-}
-
-//------------------------------------------------------------------------------
-// Bring the packed attributes and the tables up to date. Returns whether there is something to
-// draw. A model that does not fit the data is an error and leaves what was drawn before in force,
-// as long as the data is the same.
-bool vtkTFCVolumeMapper::Internals::PackAndCompile(vtkTFCVolumeMapper* mapper, std::string& error)
-{
-  vtkTFCTransferFunction* model = mapper->TransferFunction;
-  const auto& images = this->Images.GetBlocks();
-  std::vector<vtkTFCVolumeBlock*> packed;
-  std::string refused;
-  for (size_t i = 0; i < images.size() && model->HasAxes(); ++i)
-  {
-    std::string reason;
-    if (this->Blocks[i]->Pack(images[i], this->Model.Attributes, reason))
-    {
-      packed.push_back(this->Blocks[i].get());
-    }
-    else if (refused.empty())
-    {
-      refused = reason;
-    }
-  }
-  if (packed.empty())
-  {
-    error = model->HasAxes()
-      ? refused
-      : "the transfer function has regions but no axes; name a primary and a secondary array.";
-    return this->ModelGeneration > 0 &&
-      std::all_of(images.begin(), images.end(),
-        [&, i = size_t(0)](const auto& image) mutable
-        { return this->Blocks[i++]->IsCurrent(image); });
-  }
-  // Arrays may be missing in some blocks of a composite dataset: nothing to see there.
-  for (auto& block : this->Blocks)
-  {
-    block->SetDrawable(std::find(packed.begin(), packed.end(), block.get()) != packed.end());
-  }
-
-  // Ranges that the model leaves open need the data, hence only now.
-  double data[2][2];
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    data[axis][0] = VTK_DOUBLE_MAX;
-    data[axis][1] = -VTK_DOUBLE_MAX;
-    for (const auto* block : packed)
-    {
-      const auto range = block->GetRange(axis);
-      if (range[0] <= range[1])
-      {
-        const bool first = data[axis][0] > data[axis][1];
-        data[axis][0] = first ? range[0] : std::min(data[axis][0], range[0]);
-        data[axis][1] = first ? range[1] : std::max(data[axis][1], range[1]);
-      }
-    }
-    if (mapper->HasAutomaticRanges)
-    {
-      std::copy(mapper->AutomaticRanges[axis], mapper->AutomaticRanges[axis] + 2, data[axis]);
-    }
-  }
-  std::array<double, 4> used;
-  model->ResolveRanges(data[0], data[1], used.data());
-  if (this->ModelOutdated || used != this->UsedRanges)
-  {
-    this->UsedRanges = used;
-    this->Model = model->Compile(used.data());
-    ++this->ModelGeneration;
-    this->ModelOutdated = false;
-  }
-  for (auto* block : packed)
-  {
-    // What was compiled once stays, so that an edit back and forth builds no shader.
-    this->Features = block->Compile(this->Model, this->ModelGeneration, mapper->EmptySpaceSkipping,
-      this->Features);
-  }
-  return true;
-}
 
 vtkStandardNewMacro(vtkTFCVolumeMapper);
 
@@ -225,8 +93,8 @@ vtkTFCTransferFunction* vtkTFCVolumeMapper::GetTransferFunction() const
 void vtkTFCVolumeMapper::SetAutomaticRanges(const double primary[2], const double secondary[2])
 {
   // Not Modified(): ranges go into the tables, like any edit of the model.
-  std::copy(primary, primary + 2, this->AutomaticRanges[0]);
-  std::copy(secondary, secondary + 2, this->AutomaticRanges[1]);
+  std::copy(primary, primary + 2, this->AutomaticRanges[0].begin());
+  std::copy(secondary, secondary + 2, this->AutomaticRanges[1].begin());
   this->HasAutomaticRanges = true;
 }
 
@@ -239,23 +107,13 @@ void vtkTFCVolumeMapper::ClearAutomaticRanges()
 //------------------------------------------------------------------------------
 int vtkTFCVolumeMapper::GetNumberOfTableUploads() const
 {
-  int count = this->Internal->FormerTableUploads;
-  for (const auto& block : this->Internal->Blocks)
-  {
-    count += block->GetNumberOfTableUploads();
-  }
-  return count;
+  return this->Internal->Blocks.GetNumberOfTableUploads();
 }
 
 //------------------------------------------------------------------------------
 int vtkTFCVolumeMapper::GetNumberOfVolumeUploads() const
 {
-  int count = this->Internal->FormerVolumeUploads;
-  for (const auto& block : this->Internal->Blocks)
-  {
-    count += block->GetNumberOfVolumeUploads();
-  }
-  return count;
+  return this->Internal->Blocks.GetNumberOfVolumeUploads();
 }
 
 //------------------------------------------------------------------------------
@@ -334,7 +192,7 @@ bool vtkTFCVolumeMapper::PrepareForCPU(std::string& error)
   {
     return false;
   }
-  const auto& images = this->Internal->Images.Update(this->GetInputDataObject(0, 0),
+  const auto& images = this->Internal->ImagesForCPU.Update(this->GetInputDataObject(0, 0),
     model->GetAttributes(), vtkTFCImageBlocks::Limits(), error);
   if (images.empty())
   {
@@ -347,49 +205,33 @@ bool vtkTFCVolumeMapper::PrepareForCPU(std::string& error)
     error = unsupported;
     return false;
   }
-  vtkTFCFallbackRenderer::AxisRanges ranges;
-  std::copy_n(&this->AutomaticRanges[0][0], 4, &ranges[0][0]);
   return this->Internal->Fallback.Update(images.front(), model,
-    this->HasAutomaticRanges ? &ranges : nullptr, error);
+    this->HasAutomaticRanges ? &this->AutomaticRanges : nullptr, error);
 }
 
 //------------------------------------------------------------------------------
 bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& error)
 {
-  Internals& internal = *this->Internal;
-  vtkTFCTransferFunction* model = this->TransferFunction;
-  if (!model)
+  vtkTFCBlockSet::Settings settings;
+  settings.Input = this->GetInputDataObject(0, 0);
+  settings.AutomaticRanges = this->HasAutomaticRanges ? &this->AutomaticRanges : nullptr;
+  settings.ShadingArray = this->ShadingArray;
+  settings.HasGradients = vol->GetProperty()->GetShade() && !this->ShadeByOpacity;
+  settings.EmptySpaceSkipping = this->EmptySpaceSkipping;
+  settings.MemoryLimit = this->MemoryLimit;
+  settings.LongestTextureSide = this->LongestTextureSide;
+  auto& blocks = this->Internal->Blocks;
+  if (!blocks.Update(this->TransferFunction, settings,
+        vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), error))
   {
     return false;
   }
-  if (internal.CompiledFrom != model || internal.ModelTime != model->GetMTime())
+  const std::string unsupported = vtkTFCSettingsCheck::FindError(this, vol->GetProperty(),
+    blocks.GetNumberOfDrawableBlocks(), this->Distributed);
+  if (!unsupported.empty())
   {
-    internal.Model = model->Compile(internal.UsedRanges.data());
-    internal.ModelTime = model->GetMTime();
-    internal.CompiledFrom = model;
-    internal.ModelOutdated = true;
-  }
-  const bool hasImages = internal.UpdateBlocks(this, ren, vol, error);
-  if (!hasImages || internal.Model.Regions.empty())
-  {
+    error = unsupported;
     return false;
-  }
-  const bool packed = internal.PackAndCompile(this, error);
-  const auto blocks = std::count_if(internal.Blocks.begin(), internal.Blocks.end(),
-    [](const auto& block) { return block->IsDrawable(); });
-  const std::string unsupported =
-    vtkTFCSettingsCheck::FindError(this, static_cast<int>(blocks), this->Distributed);
-  if (!packed || !unsupported.empty())
-  {
-    error = packed ? unsupported : error;
-    return false;
-  }
-  for (size_t i = 0; i < internal.Blocks.size() && vol->GetProperty()->GetShade(); ++i)
-  {
-    if (internal.Blocks[i]->IsDrawable())
-    {
-      internal.Blocks[i]->UpdateShading(internal.Images.GetBlocks()[i], this->ShadingArray, error);
-    }
   }
   // Both setters do nothing when nothing changes.
   vol->GetProperty()->SetIndependentComponents(0);
@@ -400,7 +242,7 @@ bool vtkTFCVolumeMapper::Prepare(vtkRenderer* ren, vtkVolume* vol, std::string& 
 //------------------------------------------------------------------------------
 void vtkTFCVolumeMapper::RenderBlocks(vtkRenderer* ren, vtkVolume* vol)
 {
-  const auto order = vtkTFCVolumeBlock::FindOrder(this->Internal->Blocks, ren, vol);
+  const auto order = vtkTFCVolumeBlock::FindOrder(this->Internal->Blocks.GetBlocks(), ren, vol);
   double distance = this->SampleDistance;
   if (!(distance > 0.0))
   {
@@ -411,20 +253,45 @@ void vtkTFCVolumeMapper::RenderBlocks(vtkRenderer* ren, vtkVolume* vol)
       distance = std::min(distance, block->GetDefaultSampleDistance());
     }
   }
+  vtkTFCFrameBudget& budget = this->Internal->Budget;
+  const bool moving =
+    !ren->GetSelector() && ren->GetRenderWindow()->GetDesiredUpdateRate() >= SlowestMovingRate;
+  const vtkTFCFrameBudget::Level level =
+    moving ? budget.Choose(vol->GetAllocatedRenderTime()) : vtkTFCFrameBudget::Level();
+  vtkNew<vtkTimerLog> timer;
+  timer->StartTimer();
+
+  // Depth peeling and selection draw into buffers of their own.
+  const bool buffered = order.size() > 1 && !ren->GetSelector() && !HasRenderPass(vol) &&
+    this->Internal->Buffer.Begin(ren);
   for (auto* block : order)
   {
     block->SetJittering(this->UseJittering);
-    block->Render(ren, vol, this, distance, this->Internal->Features);
-    if (this->Internal->Streaming)
+    block->SetShadeByOpacity(this->ShadeByOpacity);
+    block->Render(ren, vol, this, { level.Step * distance, level.Image },
+      this->Internal->Blocks.GetFeatures());
+    if (this->Internal->Blocks.IsStreaming())
     {
       block->ReleaseGraphicsResources(ren->GetRenderWindow());
     }
   }
+  if (buffered)
+  {
+    this->Internal->Buffer.End(ren);
+  }
+  timer->StopTimer();
+  budget.Report(level, timer->GetElapsedTime());
 }
 
 //------------------------------------------------------------------------------
 void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 {
+  vtkHardwareSelector* selector = ren->GetSelector();
+  if (selector && selector->GetFieldAssociation() != vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    // VTK's mapper selects cells only, and would draw its picture among the numbers of points.
+    return;
+  }
   if (this->GetNumberOfInputConnections(0) > 0)
   {
     this->GetInputAlgorithm()->Update();
@@ -441,7 +308,8 @@ void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     }
   }
   const std::string omission = vtkTFCSettingsCheck::FindOmission(this, this->UsedCPU,
-    vol->GetProperty()->GetShade() ? this->ShadingArray : "");
+    vol->GetProperty()->GetShade() && !this->ShadeByOpacity ? this->ShadingArray : "",
+    HasRenderPass(vol) ? this->Internal->Blocks.GetNumberOfDrawableBlocks() : 0);
   if (ready && omission != this->Internal->Omission)
   {
     this->Internal->Omission = omission;
@@ -463,10 +331,8 @@ void vtkTFCVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 //------------------------------------------------------------------------------
 void vtkTFCVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto& block : this->Internal->Blocks)
-  {
-    block->ReleaseGraphicsResources(window);
-  }
+  this->Internal->Blocks.ReleaseGraphicsResources(window);
+  this->Internal->Buffer.ReleaseGraphicsResources(window);
   this->Internal->Fallback.ReleaseGraphicsResources(window);
   this->Internal->ProbedWindow = nullptr;
   this->Superclass::ReleaseGraphicsResources(window);
@@ -482,6 +348,7 @@ void vtkTFCVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LongestTextureSide: " << this->LongestTextureSide << "\n";
   os << indent << "EmptySpaceSkipping: " << this->EmptySpaceSkipping << "\n";
   os << indent << "ShadingArray: " << this->ShadingArray << "\n";
+  os << indent << "ShadeByOpacity: " << this->ShadeByOpacity << "\n";
   os << indent << "UseJittering: " << this->UseJittering << "\n";
   os << indent << "Renderer: " << this->Renderer << "\n";
   os << indent << "UsedCPU: " << this->UsedCPU << "\n";

@@ -21,9 +21,9 @@
  * and not drawn. One-voxel-thick images are drawn as slabs of one voxel.
  *
  * Supported: shading of the volume's property with VTK's lights (the gradient is that of
- * the primary attribute or of ShadingArray), opaque and translucent geometry, up to 16 clipping
- * planes, cropping (27 regions, planes in the image's model coordinates along its index axes),
- * parallel and perspective cameras.
+ * the primary attribute, of ShadingArray or of the classified opacity), opaque and translucent
+ * geometry, up to 16 clipping planes, cropping (27 regions, planes in the image's model coordinates
+ * along its index axes), parallel and perspective cameras.
  *
  * Blend modes (vtkVolumeMapper::SetBlendMode()), with the pieces i of a ray, their lengths l_i in
  * unit distances, opacities a_i per unit distance and colours c_i with light; the result is a
@@ -33,10 +33,16 @@
  * first i with the largest a_i, C = a_m c_m, A = a_m; additive (ADDITIVE_BLEND), emission without
  * absorption: C = min(1, sum(l_i a_i c_i)) by channel, A = min(1, sum(l_i a_i)); average of what is
  * visible (AVERAGE_INTENSITY_BLEND): C = sum(l_i a_i c_i) / L and A = sum(l_i a_i) / L with the
- * visible length L = sum(l_i, a_i > 0). The last three need whole rays: several blocks, and a
+ * visible length L = sum(l_i, a_i > 0); slice (SLICE_BLEND): what lies in the vtkPlane that is the
+ * SliceFunction of the volume's property, in world coordinates, C = a c and A = a without light.
+ * Maximum, additive and average need whole rays: several blocks, and a
  * dataset that is Distributed, are an error, and rays behind translucent geometry with depth
- * peeling are two each. Minimum intensity, isosurface and slice are an error: they are about one
- * scalar, which there is none of here.
+ * peeling are two each. Minimum intensity and isosurface are an error: they are about one scalar,
+ * which there is none of here.
+ *
+ * While the window asks for one frame per second or more, pixels and steps become as coarse as it
+ * takes (vtkTFCFrameBudget); at rest the picture is full again. Several blocks are blended in
+ * floating point (vtkTFCBlendBuffer), 16 bytes a pixel.
  *
  * Edits of the transfer function upload a small table (vtkTFCShaderTables) and never build a
  * shader; the mapper's modification time does not include the model's. Changing an attribute to one
@@ -65,6 +71,7 @@
 #include "vtkSmartPointer.h"    // For the model
 #include "vtkTFCVolumeModule.h" // For export macro
 
+#include <array>  // For ranges
 #include <memory> // For the implementation
 #include <string> // For errors
 
@@ -153,6 +160,17 @@ public:
   vtkGetCharFromStdStringMacro(ShadingArray);
   ///@}
 
+  ///@{
+  /**
+   * Whether the normal of shading is the gradient of the classified opacity, by central differences
+   * over a voxel on each side, instead of an array's: right for surfaces that a tertiary function
+   * makes, at six samples more where something is visible, and no memory. Default: off.
+   */
+  vtkSetMacro(ShadeByOpacity, bool);
+  vtkGetMacro(ShadeByOpacity, bool);
+  vtkBooleanMacro(ShadeByOpacity, bool);
+  ///@}
+
   enum RendererType
   {
     AutoRenderer = 0,
@@ -232,12 +250,13 @@ private:
   int LongestTextureSide = 0;
   bool EmptySpaceSkipping = true;
   bool UseJittering = false;
+  bool ShadeByOpacity = false;
   int Renderer = AutoRenderer;
   std::string ShadingArray;
   bool UsedCPU = false;
   bool Distributed = false;
   bool HasAutomaticRanges = false;
-  double AutomaticRanges[2][2] = { { 0, 1 }, { 0, 1 } };
+  std::array<std::array<double, 2>, 2> AutomaticRanges = { { { 0, 1 }, { 0, 1 } } };
   std::string LastError;
 };
 

@@ -49,9 +49,11 @@ check(pictures.difference(edited, pictures.capture(view)) <= 2, "the same edit o
 
 # Blend modes: all different, a message for those that there are not.
 check(list(display.GetProperty("RayBlending").Available) ==
-      ["Composite", "Maximum", "Average", "Additive"], "the blend modes")
+      ["Composite", "Maximum", "Average", "Additive", "Slice"], "the blend modes")
 # Not checked inside: what this script prints is reported, too.
-modes = ("Composite", "Maximum", "Average", "Additive")
+modes = ("Composite", "Maximum", "Average", "Additive", "Slice")
+display.SlicePlane.Origin = [2, 3, 4]
+display.SlicePlane.Normal = [0.3, 0.2, 1]
 seen = []
 with pictures.reported() as text:
     for mode in modes:
@@ -62,16 +64,24 @@ check(report == "", "no messages: " + report)
 for i, picture in enumerate(seen):
     check(float(picture.max()) > 5, modes[i] + " shows something")
     for j in range(i):
-        check(pictures.difference(picture, seen[j]) > 0.2, modes[i] + " is not " + modes[j])
+        check(pictures.difference(picture, seen[j]) > 0.05, modes[i] + " is not " + modes[j])
 with pictures.reported() as text:
     display.RayBlending = "Composite"
     display.BlendMode = "Isosurface"
     refused = pictures.capture(view)
     report = text()
 check(float(refused.max()) == 0, "no isosurfaces")
-check("composite, maximum, average or additive" in report, "reported: " + report)
+check("composite, maximum, average, additive or slice" in report, "reported: " + report)
+display.BlendMode = "Slice"
+check(pictures.difference(seen[4], pictures.capture(view)) == 0, "ParaView's blend mode")
+display.SlicePlane.Origin = [-15, 3, 14]
+check(pictures.difference(seen[4], pictures.capture(view)) > 0.05, "moved")
 display.BlendMode = "Composite"
 check(pictures.difference(seen[0], pictures.capture(view)) == 0, "and back")
+
+# What is under a pixel, for ParaView's selection.
+check(view.SMProxy.Pick(view.ViewSize[0] // 2, view.ViewSize[1] // 2) is not None, "the volume")
+check(view.SMProxy.Pick(1, 1) is None, "nothing in the corner")
 
 # Shading by another array, and jittering.
 display.Shade = 1
@@ -79,6 +89,10 @@ primary = pictures.capture(view)
 display.ShadingArray = "R"
 check(pictures.difference(primary, pictures.capture(view)) > 0.2, "another array's normals")
 display.ShadingArray = ""
+check(pictures.difference(primary, pictures.capture(view)) == 0, "the primary attribute again")
+display.ShadeByOpacity = 1
+check(pictures.difference(primary, pictures.capture(view)) > 0.2, "by the classified opacity")
+display.ShadeByOpacity = 0
 check(pictures.difference(primary, pictures.capture(view)) == 0, "the primary attribute's again")
 display.UseJittering = 1
 check(0 < pictures.difference(primary, pictures.capture(view)) < 3, "jittered samples")

@@ -4,6 +4,7 @@
 #include "Support/VolumeScene.h"
 
 #include "vtkTFCBrickActivity.h"
+#include "vtkTFCBrickDistances.h"
 #include "vtkTFCClassifier.h"
 
 #include "vtkCamera.h"
@@ -272,31 +273,43 @@ TEST(BrickActivity, LargeVolumesHaveLargerBricks)
   EXPECT_EQ(ranges.GetRanges()[251].Maximum[0], 0.25F);
 }
 
-TEST(BrickActivity, DistancesAreChessboardDistances)
+TEST(BrickDistances, AreChessboardDistances)
 {
   std::mt19937 random(3);
-  const std::array<int, 3> dimensions = { 9, 7, 12 };
-  std::vector<unsigned char> active(9 * 7 * 12, 0);
-  for (int i = 0; i < 4; ++i)
+  const std::array<int, 3> sizes[] = { { 9, 7, 12 }, { 70, 3, 2 }, { 1, 40, 5 }, { 2, 3, 80 },
+    { 1, 1, 1 } };
+  for (const auto& size : sizes)
   {
-    active[random() % active.size()] = 1;
-  }
-  const auto distances = vtkTFCBrickActivity::FindDistances(active, dimensions);
-  const auto place = [&](size_t i, int axis) {
-    return static_cast<int>(axis == 0 ? i % 9 : axis == 1 ? i / 9 % 7 : i / 63);
-  };
-  for (size_t i = 0; i < active.size(); ++i)
-  {
-    int expected = vtkTFCBrickActivity::LargestDistance;
-    for (size_t j = 0; j < active.size(); ++j)
+    const size_t count = static_cast<size_t>(size[0]) * size[1] * size[2];
+    const auto place = [&](size_t i)
     {
-      int distance = 0;
-      for (int axis = 0; axis < 3; ++axis)
+      return std::array<int, 3>{ static_cast<int>(i % size[0]),
+        static_cast<int>(i / size[0] % size[1]), static_cast<int>(i / size[0] / size[1]) };
+    };
+    for (const size_t number : { 0, 1, 4, 30 })
+    {
+      std::vector<unsigned char> active(count, 0);
+      std::vector<size_t> list;
+      for (size_t i = 0; i < number; ++i)
       {
-        distance = std::max(distance, std::abs(place(i, axis) - place(j, axis)));
+        list.push_back(random() % count);
+        active[list.back()] = 1;
       }
-      expected = active[j] ? std::min(expected, distance) : expected;
+      const auto distances = vtkTFCBrickDistances::Find(active, size);
+      for (size_t i = 0; i < count; ++i)
+      {
+        int expected = vtkTFCBrickDistances::Largest;
+        for (const size_t j : list)
+        {
+          int distance = 0;
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            distance = std::max(distance, std::abs(place(i)[axis] - place(j)[axis]));
+          }
+          expected = std::min(expected, distance);
+        }
+        ASSERT_EQ(distances[i], expected) << i << " of " << count << ", " << number << " active";
+      }
     }
-    ASSERT_EQ(distances[i], expected) << i;
   }
 }

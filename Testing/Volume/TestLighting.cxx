@@ -93,6 +93,53 @@ TEST_F(Lighting, ShadingArrayGivesTheNormal)
   EXPECT_EQ(this->Scene.Mapper->GetLastError(), "");
 }
 
+TEST_F(Lighting, ShadeByOpacityTakesTheSurfaceThatTheModelMakes)
+{
+  // The opacity rises with s, whose gradient is not that of the primary attribute.
+  for (const double degrees : { 0.0, 30.0, 60.0 })
+  {
+    this->AddRamp("s", degrees);
+    ASSERT_TRUE(this->Scene.Model->SetState(MakeState(R"({"id": 1, "opacity": 1,
+      "shape": {"type": "rectangle", "center": [0.5, 0.5], "halfsize": [200, 2]},
+      "falloff": {"type": "constant"}, "tertiary": {"array": "s", "component": 0,
+      "opacity": [[-100, 0.9], [100, 1]]}})",
+      "[-100, 100]")
+                                              .c_str()));
+    EXPECT_NEAR(this->CenterValue(), 255, 2.5) << "the primary attribute's";
+    this->Scene.Mapper->ShadeByOpacityOn();
+    EXPECT_NEAR(this->CenterValue(), 255 * std::cos(vtkMath::RadiansFromDegrees(degrees)), 2.5);
+    this->Scene.Mapper->ShadeByOpacityOff();
+  }
+  EXPECT_EQ(this->Scene.Mapper->GetLastError(), "");
+}
+
+TEST_F(Lighting, ShadeByOpacityInBlocksAndWithManyAttributes)
+{
+  const char* names[] = { "x", "y", "s", "t", "u", "v" };
+  for (int i = 2; i < 6; ++i)
+  {
+    this->AddRamp(names[i], 15.0 * i);
+  }
+  std::string regions;
+  for (int i = 0; i < 4; ++i)
+  {
+    regions += std::string(i ? "," : "") + R"({"id": )" + std::to_string(i + 1) +
+      R"(, "opacity": 0.5, "falloff": {"type": "smooth", "width": 1}, "shape": {"type": "ellipse",
+      "center": [)" +
+      std::to_string(0.49 + 0.01 * i) + R"(, 0.5], "radii": [4, 4]},
+      "tertiary": {"array": ")" +
+      names[i + 2] + R"(", "component": 0, "opacity": [[-40, 0],
+      [40, 1]]}})";
+  }
+  ASSERT_TRUE(this->Scene.Model->SetState(MakeState(regions, "[-100, 100]").c_str()));
+  this->Scene.Mapper->ShadeByOpacityOn();
+  const Picture whole = this->Scene.Render();
+  EXPECT_EQ(this->Scene.Mapper->GetLastError(), "");
+  EXPECT_GT(*std::max_element(whole.Values.begin(), whole.Values.end()), 30);
+  this->Scene.Mapper->SetLongestTextureSide(16);
+  EXPECT_LE(Compare(whole, this->Scene.Render()).Largest, 2);
+}
+
 TEST_F(Lighting, ShadingArrayOfSlabsAndOfASingleLayer)
 {
   AddField(this->Image, "s",

@@ -156,6 +156,23 @@ TEST_F(Edits, SwitchingBackToAPackedTertiaryUploadsNoVolume)
   EXPECT_EQ(this->Scene.Mapper->GetNumberOfVolumeUploads(), 1);
 }
 
+TEST_F(Edits, ASingleRegionLooksTheSameBeforeAndAfterSeveral)
+{
+  // At first the shader knows one region only, whose outline may also lie beyond the axes.
+  for (const double x : { 0.5, 0.05, 1.3 })
+  {
+    VolumeScene fresh(100);
+    fresh.Mapper->SetInputData(this->Image);
+    fresh.LookAlongZ(15.5, 15.5, 15.5, 40);
+    ASSERT_TRUE(fresh.Model->SetState(MakeState(Ellipse(x)).c_str()));
+    const Picture alone = fresh.Render();
+    ASSERT_TRUE(fresh.Model->SetState(MakeState(Ellipse(x) + Triangle).c_str()));
+    EXPECT_GT(Compare(alone, fresh.Render()).Mean, 1);
+    ASSERT_TRUE(fresh.Model->SetState(MakeState(Ellipse(x)).c_str()));
+    EXPECT_LE(Compare(alone, fresh.Render()).Largest, 1) << x;
+  }
+}
+
 TEST_F(Edits, ChangedDataIsPackedAgain)
 {
   this->Set(Ellipse(0.5));

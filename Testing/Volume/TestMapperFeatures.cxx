@@ -326,20 +326,6 @@ TEST_F(Fog, TwoBlocksThatShareAFaceAreSeamless)
   EXPECT_LE(Compare(whole, this->Scene.Render()).Largest, 1);
 }
 
-TEST_F(Fog, InteractionIsCoarserAndKeepsTheOpacity)
-{
-  this->Scene.Window->SetDesiredUpdateRate(1000.0); // more than any machine does: coarsest
-  Picture picture;
-  for (int frame = 0; frame < 5; ++frame)
-  {
-    picture = this->Scene.Render();
-  }
-  EXPECT_NEAR(this->At(picture, 15, 12), FogValue(20), 2.0);
-  EXPECT_NEAR(this->At(picture, 6, 6), FogValue(20), 2.0);
-  this->Scene.Window->SetDesiredUpdateRate(0.0001);
-  this->ExpectLength(this->Scene.Render(), 15, 12, 20);
-}
-
 TEST_F(Fog, JitteringMovesTheSamplesAndKeepsTheOpacity)
 {
   this->Scene.Mapper->SetSampleDistance(3);
@@ -366,24 +352,6 @@ TEST_F(Fog, JitteringMovesTheSamplesAndKeepsTheOpacity)
   EXPECT_NEAR(mean(noisy), mean(rings), 0.03 * mean(rings));
   this->Scene.Mapper->SetSampleDistance(0.02);
   EXPECT_NEAR(mean(noisy), mean(this->Scene.Render()), 0.03 * mean(rings));
-}
-
-TEST_F(Fog, InteractionIsCoarserOnlyWhileItLasts)
-{
-  AddField(this->Image, "x",
-    [](double x, double y, double z) { return int(x + y + z) / 3 % 2 ? 0.5 : 2.0; });
-  this->Scene.Mapper->SetSampleDistance(0.1);
-  const Picture still = this->Scene.Render();
-  EXPECT_GT(*std::max_element(still.Values.begin(), still.Values.end()), 100);
-  this->Scene.Window->SetDesiredUpdateRate(1000.0);
-  Picture moving;
-  for (int frame = 0; frame < 5; ++frame)
-  {
-    moving = this->Scene.Render();
-  }
-  EXPECT_GT(Compare(still, moving).Mean, 1) << "longer steps";
-  this->Scene.Window->SetDesiredUpdateRate(0.0001);
-  EXPECT_EQ(Compare(still, this->Scene.Render()).Largest, 0) << "at once, in full";
 }
 
 TEST(ScalarTypes, AllGiveThePictureOfDouble)

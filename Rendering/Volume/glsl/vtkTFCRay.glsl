@@ -18,6 +18,10 @@ uniform vec3 in_tfcCropMin;       // the two cropping planes of each axis
 uniform vec3 in_tfcCropMax;
 uniform int in_tfcCropFlags;      // bit r: cropping region r is visible; -1: no cropping
 
+#ifdef TFC_SLICE
+uniform vec4 in_tfcSlicePlane;    // 0 on the plane that is shown
+#endif
+
 vec3 g_tfcSegmentStart; // start of the segment that a render pass asked for
 vec3 g_tfcOrigin;       // u = 0
 float g_tfcBegin;       // visible u
@@ -55,6 +59,25 @@ void tfcClipHalfSpace(float f0, float slope)
     tfcKeep(f0 >= 0.0);
   }
 }
+
+#ifdef TFC_SLICE
+// Make the point in the plane the only piece of the ray, of length 1. A point in the face between
+// two blocks belongs to the upper one; the tolerances are larger than rounding.
+void tfcKeepSlice()
+{
+  float slope = dot(in_tfcSlicePlane.xyz, g_dirStep);
+  float u = -dot(in_tfcSlicePlane, vec4(g_tfcOrigin, 1.0)) / slope;
+  vec3 place = g_tfcOrigin + u * g_dirStep;
+  bool hit = abs(slope) > 0.0 && u >= g_tfcBegin - 1e-2 && u <= g_tfcEnd + 1e-2;
+  bool inside = all(greaterThanEqual(place, in_tfcBoxMin - 1e-6)) &&
+    all(lessThanEqual(place, in_tfcBoxMax + 2.0 * in_tfcUpperMargin));
+  g_tfcPhase = 0.5 - u;
+  g_tfcInterval = 0.0;
+  g_tfcBegin = u - 0.5;
+  g_tfcEnd = u + 0.5;
+  tfcKeep(hit && inside);
+}
+#endif
 
 // Called once per ray, when the entry, the end (opaque geometry) and the step are known.
 void tfcBeginRay()
@@ -94,6 +117,9 @@ void tfcBeginRay()
   vec3 entry = (in_volumeMatrix[0] * vec4(ip_vertexPos, 1.0)).xyz;
   g_tfcPhase = fract(dot(entry - in_cameraPos, direction / scale) / g_tfcWorldStep + g_jitterValue);
   g_tfcInterval = floor(g_tfcBegin + g_tfcPhase);
+#ifdef TFC_SLICE
+  tfcKeepSlice();
+#endif
 
   // With depth peeling there are two segments a pixel. Also nothing to do for NaN.
   g_fragColor = vec4(0.0);
@@ -116,7 +142,10 @@ bool tfcEndSample()
 {
   g_tfcInterval += 1.0;
   bool behind = !(g_tfcInterval - g_tfcPhase < g_tfcEnd);
-#ifdef TFC_COMPOSITE
+#if defined(TFC_SELECTION)
+  // VTK then takes the voxel of the last sample for what is selected, from this opacity on.
+  return behind || g_fragColor.a > 3.0 / 255.0;
+#elif defined(TFC_COMPOSITE)
   return behind || g_fragColor.a > g_opacityThreshold;
 #else
   return behind;

@@ -3,8 +3,8 @@
 // What happens at a sample: found, classified, lit by VTK and blended into the ray.
 //
 // Blending (vtkTFCVolumeMapper.h has the formulas): composited front to back unless TFC_MAXIMUM,
-// TFC_ADDITIVE or TFC_AVERAGE is defined. The latter three use the opacity per unit distance and
-// have no end before that of the ray.
+// TFC_ADDITIVE, TFC_AVERAGE or TFC_SLICE is defined. The latter use the opacity per unit distance
+// and have no end before that of the ray; a slice is a ray with one piece, without light.
 
 vec3 g_tfcCell; // what the transfer function has there (see tfcCell)
 
@@ -45,7 +45,7 @@ float computeOpacity(vec4 attributes)
 vec4 computeColor(vec4 attributes, float opacity)
 {
   vec4 color = vec4(g_tfcColor, opacity);
-#ifdef TFC_SHADED
+#if defined(TFC_SHADED) && !defined(TFC_SLICE)
   if (opacity > 0.0)
   {
     color = clamp(computeLighting(color, 0, 0.0), 0.0, 1.0);
@@ -60,6 +60,9 @@ void tfcBlend()
   g_srcColor.rgb *= g_srcColor.a;
 #ifdef TFC_COMPOSITE
   g_fragColor += (1.0 - g_fragColor.a) * g_srcColor;
+#endif
+#ifdef TFC_SLICE
+  g_fragColor = g_srcColor;
 #endif
 #ifdef TFC_MAXIMUM
   g_fragColor = g_srcColor.a > g_fragColor.a ? g_srcColor : g_fragColor;
