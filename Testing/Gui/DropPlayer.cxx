@@ -9,6 +9,7 @@
 #include "pqWidgetEventPlayer.h"
 
 #include <QApplication>
+#include <QDebug>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
@@ -16,13 +17,14 @@
 #include <QUrl>
 #include <QWidget>
 
-namespace
-{
+// Players are told apart by the names of their classes.
 class DropPlayer : public pqWidgetEventPlayer
 {
+  Q_OBJECT
+
 public:
-  using pqWidgetEventPlayer::pqWidgetEventPlayer;
   using pqWidgetEventPlayer::playEvent;
+  using pqWidgetEventPlayer::pqWidgetEventPlayer;
 
   bool playEvent(QObject* object, const QString& command, const QString& arguments,
     bool& error) override
@@ -32,17 +34,15 @@ public:
     {
       return false;
     }
-    QString path = arguments;
-    path.replace("$PARAVIEW_TEST_ROOT", pqCoreTestUtility::TestDirectory());
     QMimeData data;
-    data.setUrls({ QUrl::fromLocalFile(path) });
+    data.setUrls({ QUrl::fromLocalFile(arguments) });
     const QPoint middle = widget->rect().center();
     QDragEnterEvent enter(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     enter.ignore();
     QApplication::sendEvent(widget, &enter);
     if (!enter.isAccepted())
     {
-      qCritical() << "Nobody takes" << path;
+      qCritical() << "Nobody takes" << arguments;
       error = true;
       return true;
     }
@@ -52,6 +52,8 @@ public:
   }
 };
 
+namespace
+{
 // ParaView's core comes after Qt's application.
 void Install()
 {
@@ -70,9 +72,12 @@ void Start()
 {
   if (qobject_cast<QApplication*>(QCoreApplication::instance()))
   {
+    // Not for what ParaView starts, such as MPI's daemon.
+    qunsetenv("LD_PRELOAD");
     QTimer::singleShot(0, Install);
   }
 }
 }
 
 Q_COREAPP_STARTUP_FUNCTION(Start)
+#include "DropPlayer.moc"

@@ -6,8 +6,8 @@
 
 one.vti: a, b, d = index of the column, the row, the slice. square.vti: c = square of the column,
 and b and d. wide.vti: a = 10 times the column + 5, and b and d. plain.tfc.json: made for x, y and z
-of one.vti's values, without quantiles; its region holds 3 columns, 3 rows and all slices. In
-FOLDER/home is a user's folder of settings with one preset, of a version to come.
+of one.vti's values, without quantiles; its region holds 3 columns, 3 rows and all slices.
+empty.tfc.json: nothing. In FOLDER/home is a user's folder of settings with one preset, of a version to come.
 """
 import json
 import os
@@ -46,6 +46,7 @@ def main():
     write_volume(os.path.join(folder, "wide.vti"), a=[10 * i + 5 for i in column], b=row, d=depth)
     with open(os.path.join(folder, "plain.tfc.json"), "w", encoding="ascii") as file:
         json.dump(PLAIN, file)
+    open(os.path.join(folder, "empty.tfc.json"), "w", encoding="ascii").close()
     home = os.path.join(folder, "home")
     shutil.rmtree(home, ignore_errors=True)
     presets = os.path.join(home, ".config", "ParaView", "CombinedTransferFunctions")
