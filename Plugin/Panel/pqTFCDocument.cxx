@@ -12,6 +12,7 @@
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkTFCQuantiles.h"
 #include "vtkTFCRegion.h"
 #include "vtkTFCRegionHistograms.h"
 #include "vtkTFCSparseHistogram.h"
@@ -382,4 +383,19 @@ bool pqTFCDocument::conditional(vtkTFCRegion* region, std::vector<double>& count
   counts = vtkTFCRegionHistograms::MakeConditional(histogram, this->Model, region, ranges);
   histogram->GetRange(2, range);
   return true;
+}
+
+//-----------------------------------------------------------------------------
+std::vector<double> pqTFCDocument::quantiles(const pqTFCAttribute& attribute, int number)
+{
+  if (!(attribute.Range[0] < attribute.Range[1]))
+  {
+    return {};
+  }
+  pqTFCAxis axis;
+  axis.Array = attribute.Array;
+  axis.Component = attribute.Component;
+  std::copy(attribute.Range, attribute.Range + 2, axis.Range);
+  return vtkTFCQuantiles::FromCounts(this->Cache.distribution(axis), axis.Range[0], axis.Range[1],
+    number);
 }

@@ -93,6 +93,9 @@ public:
   vtkTFCSparseHistogram* plane();
   vtkTFCSparseHistogram* joint(vtkTFCRegion* region);
   bool conditional(vtkTFCRegion* region, std::vector<double>& counts, double range[2]);
+  /// `number` quantiles of an attribute, see vtkTFCQuantiles: counted on the server in 4096 bins
+  /// over its extent, at once. Empty when there are none.
+  std::vector<double> quantiles(const pqTFCAttribute& attribute, int number);
   /// Whether plane(), or joint() of a region, was requested and is still to come.
   bool isStale(vtkTFCRegion* region) const;
   bool isFetching() const { return this->Cache.isFetching(); }

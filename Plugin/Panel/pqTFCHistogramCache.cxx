@@ -28,6 +28,7 @@ namespace
 constexpr int PLANE_BINS = 256;
 constexpr int JOINT_BINS = 128;
 constexpr int TERTIARY_BINS = 64;
+constexpr int FINE_BINS = 4096;
 constexpr size_t MOST_ENTRIES = 12;
 constexpr int DELAY = 150; // ms: after the view was drawn
 constexpr int PAUSE = 10;  // ms: between two, for events
@@ -202,6 +203,30 @@ void pqTFCHistogramCache::fetchNow()
 //-----------------------------------------------------------------------------
 vtkSmartPointer<vtkTFCSparseHistogram> pqTFCHistogramCache::compute(const Key& key)
 {
+  const int bins = key[2].Array.empty() ? PLANE_BINS : JOINT_BINS;
+  return this->compute(key, bins, bins);
+}
+
+//-----------------------------------------------------------------------------
+std::vector<double> pqTFCHistogramCache::distribution(const pqTFCAxis& axis)
+{
+  // Against itself in one bin: nothing else plays a part.
+  vtkSmartPointer<vtkTFCSparseHistogram> histogram =
+    this->Port ? this->compute({ axis, axis, pqTFCAxis() }, FINE_BINS, 1) : nullptr;
+  std::vector<double> counts;
+  if (histogram)
+  {
+    counts.resize(
+      static_cast<size_t>(histogram->GetNumberOfBins(0)) * histogram->GetNumberOfBins(1));
+    histogram->GetPlane(counts.data());
+  }
+  return counts;
+}
+
+//-----------------------------------------------------------------------------
+vtkSmartPointer<vtkTFCSparseHistogram> pqTFCHistogramCache::compute(const Key& key, int primaryBins,
+  int secondaryBins)
+{
   // Helper proxies would make undo steps of their own.
   SCOPED_UNDO_EXCLUDE();
   if (!this->Filter)
@@ -216,9 +241,8 @@ vtkSmartPointer<vtkTFCSparseHistogram> pqTFCHistogramCache::compute(const Key& k
     vtkSMPropertyHelper(this->Filter, "Input")
       .Set(this->Port->getSource()->getProxy(), this->Port->getPortNumber());
   }
-  const int bins = key[2].Array.empty() ? PLANE_BINS : JOINT_BINS;
-  SetAxis(this->Filter, 0, key[0], bins);
-  SetAxis(this->Filter, 1, key[1], bins);
+  SetAxis(this->Filter, 0, key[0], primaryBins);
+  SetAxis(this->Filter, 1, key[1], secondaryBins);
   SetAxis(this->Filter, 2, key[2], TERTIARY_BINS);
   this->Filter->UpdateVTKObjects();
   this->Filter->UpdatePipeline(this->Time);

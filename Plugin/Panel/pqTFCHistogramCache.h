@@ -59,6 +59,9 @@ public:
   /// A histogram; null when it is not there yet. What is returned may be stale.
   vtkTFCSparseHistogram* request(const Key& key);
 
+  /// Counts of one axis in fine bins over its range, fetched at once; empty when that fails.
+  std::vector<double> distribution(const pqTFCAxis& axis);
+
   ///@{
   /// Whether this one, or any, was requested and is still to come.
   bool isWanted(const Key& key) const;
@@ -88,6 +91,8 @@ private:
     unsigned int LastUse = 0;
   };
   vtkSmartPointer<vtkTFCSparseHistogram> compute(const Key& key);
+  vtkSmartPointer<vtkTFCSparseHistogram> compute(const Key& key, int primaryBins,
+    int secondaryBins);
 
   QPointer<pqOutputPort> Port;
   double Time = 0;

@@ -3,31 +3,22 @@
 #include "pqTFCMapDialog.h"
 
 #include "pqTFCDocument.h"
-#include "vtkDoubleArray.h"
-#include "vtkNew.h"
-#include "vtkTFCOutline.h"
 #include "vtkTFCRegion.h"
-#include "vtkTFCShape.h"
+#include "vtkTFCRescale.h"
 #include "vtkTFCTransferFunction.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QRadioButton>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
-void MapNodes(vtkDoubleArray* nodes, const double from[2], const double to[2])
-{
-  for (vtkIdType i = 0; i < nodes->GetNumberOfTuples(); ++i)
-  {
-    const double v = nodes->GetComponent(i, 0);
-    nodes->SetComponent(i, 0, to[0] + (v - from[0]) / (from[1] - from[0]) * (to[1] - to[0]));
-  }
-}
+constexpr double SAME = 0.01; // of the extent: a time step more or less is no reason to ask
 }
 
 //-----------------------------------------------------------------------------
@@ -36,6 +27,7 @@ pqTFCMapDialog::pqTFCMapDialog(pqTFCDocument* document, vtkTFCTransferFunction* 
   : Superclass(parentObject)
   , Document(document)
   , Model(model)
+  , Entries(vtkTFCQuantiles::Load(model))
 {
   this->setObjectName("MapAttributes");
   this->setWindowTitle(tr("Transfer Function of Other Data"));
@@ -49,30 +41,44 @@ pqTFCMapDialog::pqTFCMapDialog(pqTFCDocument* document, vtkTFCTransferFunction* 
     this->collect(region->GetTertiaryArray(), region->GetTertiaryComponent());
   }
   auto* layout = new QFormLayout(this);
-  auto* label = new QLabel(tr("The data have no such arrays. Which ones stand for them?"), this);
+  const auto isMissing = [document](const Name& name)
+  { return !document->findAttribute(name.Array, name.Component); };
+  const bool anyMissing = std::any_of(this->Names.begin(), this->Names.end(), isMissing);
+  auto* label =
+    new QLabel(anyMissing ? tr("The data have no such arrays. Which ones stand for them?")
+                          : tr("This was made for data with other ranges of the same arrays."),
+      this);
+  label->setObjectName("Question");
   layout->addRow(label);
-  for (const Name& name : this->Missing)
+  int choices = 0;
+  for (Name& name : this->Names)
   {
-    auto* choice = new QComboBox(this);
-    choice->setObjectName(QString("Choice%1").arg(this->Choices.size()));
-    choice->addItem(tr("Keep (the region or the axis stays empty)"));
-    for (const pqTFCAttribute& attribute : document->attributes())
+    if (isMissing(name))
     {
-      choice->addItem(attribute.Label);
+      this->makeChoice(name, choices++);
     }
-    this->Choices.push_back(choice);
-    QString text = QString::fromStdString(name.first);
-    if (name.second != 0)
-    {
-      text += name.second < 0 ? tr(" Magnitude") : QString(" %1").arg(name.second);
-    }
-    choice->setAccessibleName(tr("Array that stands for %1").arg(text));
-    layout->addRow(text, choice);
   }
-  this->Rescale = new QCheckBox(tr("&Rescale to the ranges of the data"), this);
-  this->Rescale->setObjectName("Rescale");
-  this->Rescale->setChecked(true);
-  layout->addRow(this->Rescale);
+  this->Keep = new QRadioButton(tr("&Keep the values"), this);
+  this->Keep->setObjectName("Keep");
+  this->ByRange = new QRadioButton(tr("Rescale by &range"), this);
+  this->ByRange->setObjectName("ByRange");
+  this->ByRange->setToolTip(tr("Both ends of the old range go to the ends of the new one, all else "
+                               "in proportion"));
+  this->ByQuantile = new QRadioButton(tr("Rescale by &quantile"), this);
+  this->ByQuantile->setObjectName("ByQuantile");
+  const bool hasQuantiles = std::any_of(this->Names.begin(), this->Names.end(),
+    [](const Name& name) { return !name.Quantiles.empty(); });
+  this->ByQuantile->setEnabled(hasQuantiles);
+  this->ByQuantile->setToolTip(hasQuantiles
+      ? tr(
+          "A value below which a tenth of the old data lies goes to the one below which a tenth of "
+          "these data lies, and so on")
+      : tr("The file does not carry the quantiles of the data that it was made for. Files and "
+           "presets that this panel saves do."));
+  (anyMissing ? this->ByRange : this->Keep)->setChecked(true);
+  layout->addRow(this->Keep);
+  layout->addRow(this->ByRange);
+  layout->addRow(this->ByQuantile);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   buttons->setObjectName("Buttons");
   layout->addRow(buttons);
@@ -86,90 +92,104 @@ pqTFCMapDialog::~pqTFCMapDialog() = default;
 //-----------------------------------------------------------------------------
 void pqTFCMapDialog::collect(const std::string& array, int component)
 {
-  const Name name(array, component);
-  if (!array.empty() && !this->Document->findAttribute(array, component) &&
-    std::find(this->Missing.begin(), this->Missing.end(), name) == this->Missing.end())
+  const bool known = std::any_of(this->Names.begin(), this->Names.end(),
+    [&](const Name& name) { return name.Array == array && name.Component == component; });
+  if (!array.empty() && !known)
   {
-    this->Missing.push_back(name);
+    this->Names.push_back(
+      { array, component, vtkTFCQuantiles::Find(this->Entries, array, component), nullptr });
   }
 }
 
 //-----------------------------------------------------------------------------
-int pqTFCMapDialog::choice(const std::string& array, int component) const
+void pqTFCMapDialog::makeChoice(Name& name, int index)
 {
-  const auto found = std::find(this->Missing.begin(), this->Missing.end(), Name(array, component));
-  return found == this->Missing.end()
-    ? -1
-    : this->Choices[found - this->Missing.begin()]->currentIndex() - 1;
+  name.Choice = new QComboBox(this);
+  name.Choice->setObjectName(QString("Choice%1").arg(index));
+  name.Choice->addItem(tr("Keep (the region or the axis stays empty)"));
+  for (const pqTFCAttribute& attribute : this->Document->attributes())
+  {
+    name.Choice->addItem(attribute.Label);
+  }
+  QString text = QString::fromStdString(name.Array);
+  if (name.Component != 0)
+  {
+    text += name.Component < 0 ? tr(" Magnitude") : QString(" %1").arg(name.Component);
+  }
+  name.Choice->setAccessibleName(tr("Array that stands for %1").arg(text));
+  static_cast<QFormLayout*>(this->layout())->addRow(text, name.Choice);
 }
 
 //-----------------------------------------------------------------------------
-void pqTFCMapDialog::mapAxes()
+bool pqTFCMapDialog::hasOtherExtent(const Name& name) const
 {
-  vtkTFCOutline::Ranges from = { { 0, 1, 0, 1 } };
-  vtkTFCOutline::Ranges to = { { 0, 1, 0, 1 } };
-  for (int axis = 0; axis < 2; ++axis)
+  const pqTFCAttribute* now = this->Document->findAttribute(name.Array, name.Component);
+  if (!now || name.Quantiles.empty())
   {
-    const int index =
-      this->choice(this->Model->GetAxisArray(axis), this->Model->GetAxisComponent(axis));
-    double range[2];
-    if (index < 0)
-    {
-      continue;
-    }
-    const pqTFCAttribute& attribute = this->Document->attributes()[index];
-    this->Model->SetAxis(axis, attribute.Array.c_str(), attribute.Component);
-    if (this->Rescale->isChecked() && this->Model->GetAxisRange(axis, range) &&
-      attribute.Range[0] < attribute.Range[1])
-    {
-      std::copy(range, range + 2, from.begin() + 2 * axis);
-      std::copy(attribute.Range, attribute.Range + 2, to.begin() + 2 * axis);
-      this->Model->SetAxisRange(axis, attribute.Range[0], attribute.Range[1]);
-    }
+    return false;
   }
-  for (int i = 0; i < this->Model->GetNumberOfRegions() && from != to; ++i)
-  {
-    vtkTFCShape* shape = this->Model->GetRegion(i)->GetShape();
-    vtkTFCOutline::FromShape(shape, from).Store(shape, to);
-  }
+  const double least = SAME * (name.Quantiles.back() - name.Quantiles.front());
+  return std::abs(now->Range[0] - name.Quantiles.front()) > least ||
+    std::abs(now->Range[1] - name.Quantiles.back()) > least;
 }
 
 //-----------------------------------------------------------------------------
-void pqTFCMapDialog::mapTertiaries()
+bool pqTFCMapDialog::isNeeded() const
 {
-  for (int i = 0; i < this->Model->GetNumberOfRegions(); ++i)
+  return std::any_of(this->Names.begin(), this->Names.end(),
+    [this](const Name& name) { return name.Choice || this->hasOtherExtent(name); });
+}
+
+//-----------------------------------------------------------------------------
+const pqTFCAttribute* pqTFCMapDialog::choice(const Name& name) const
+{
+  if (!name.Choice)
   {
-    vtkTFCRegion* region = this->Model->GetRegion(i);
-    const int index = this->choice(region->GetTertiaryArray(), region->GetTertiaryComponent());
-    if (!region->HasTertiary() || index < 0)
-    {
-      continue;
-    }
-    const pqTFCAttribute& attribute = this->Document->attributes()[index];
-    vtkNew<vtkDoubleArray> nodes;
-    vtkNew<vtkDoubleArray> colors;
-    region->GetTertiaryOpacityNodes(nodes);
-    region->GetTertiaryColorNodes(colors);
-    double from[2];
-    if (!region->GetTertiaryRange(from))
-    {
-      from[0] = nodes->GetComponent(0, 0);
-      from[1] = nodes->GetComponent(nodes->GetNumberOfTuples() - 1, 0);
-    }
-    if (this->Rescale->isChecked() && from[0] < from[1] && attribute.Range[0] < attribute.Range[1])
-    {
-      MapNodes(nodes, from, attribute.Range);
-      MapNodes(colors, from, attribute.Range);
-      region->ClearTertiaryRange();
-    }
-    region->SetTertiary(attribute.Array.c_str(), attribute.Component, nodes,
-      colors->GetNumberOfTuples() > 0 ? colors.Get() : nullptr);
+    return this->Document->findAttribute(name.Array, name.Component);
   }
+  const int index = name.Choice->currentIndex() - 1;
+  return index < 0 ? nullptr : &this->Document->attributes()[index];
 }
 
 //-----------------------------------------------------------------------------
 void pqTFCMapDialog::apply()
 {
-  this->mapAxes();
-  this->mapTertiaries();
+  std::vector<vtkTFCAttributeChange> changes;
+  for (const Name& name : this->Names)
+  {
+    const pqTFCAttribute* attribute = this->choice(name);
+    if (!attribute)
+    {
+      continue;
+    }
+    vtkTFCAttributeChange change;
+    change.Array = name.Array;
+    change.Component = name.Component;
+    change.NewArray = attribute->Array;
+    change.NewComponent = attribute->Component;
+    const bool known = !name.Quantiles.empty();
+    if (known && this->ByQuantile->isChecked())
+    {
+      change.From = name.Quantiles;
+      change.To = this->Document->quantiles(*attribute, static_cast<int>(name.Quantiles.size()));
+    }
+    if (change.To.empty() && !this->Keep->isChecked() && attribute->Range[0] < attribute->Range[1])
+    {
+      change.From = known ? std::vector<double>{ name.Quantiles.front(), name.Quantiles.back() }
+                          : std::vector<double>();
+      change.To = { attribute->Range[0], attribute->Range[1] };
+    }
+    // Without old values an attribute of the same name and range would be stretched for nothing.
+    if (!known && !name.Choice)
+    {
+      change.To.clear();
+    }
+    changes.push_back(change);
+  }
+  const int vanished = vtkTFCRescale(this->Model, changes);
+  if (vanished > 0)
+  {
+    this->Document->say(
+      tr("%n region(s) would have vanished by rescaling and keep their shape.", "", vanished));
+  }
 }

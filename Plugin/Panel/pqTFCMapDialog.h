@@ -3,10 +3,11 @@
 /**
  * @class pqTFCMapDialog
  * @brief Fits a transfer function that was made for other data: asks which attribute stands for
- * each one that is missing, and rescales what depends on it if wanted.
+ * each one that is missing, and whether values are kept or rescaled, by range or by quantile.
  *
- * Rescaling is linear, from the old range (that of the axis or the tertiary function; without one,
- * that of its nodes) to the new attribute's. An axis without a range is not rescaled.
+ * Attributes of the same name stand for themselves. What rescaling does is in vtkTFCRescale.h; by
+ * quantile needs the quantiles that files and presets of the editor carry (vtkTFCQuantiles), and
+ * goes by range for an attribute without them.
  */
 
 #ifndef pqTFCMapDialog_h
@@ -14,13 +15,15 @@
 
 #include <QDialog>
 
+#include "vtkTFCQuantiles.h"
+
 #include <string>
-#include <utility>
 #include <vector>
 
-class QCheckBox;
 class QComboBox;
+class QRadioButton;
 class pqTFCDocument;
+struct pqTFCAttribute;
 class vtkTFCTransferFunction;
 
 class pqTFCMapDialog : public QDialog
@@ -32,8 +35,9 @@ public:
   pqTFCMapDialog(pqTFCDocument* document, vtkTFCTransferFunction* model, QWidget* parent = nullptr);
   ~pqTFCMapDialog() override;
 
-  /// Whether the data lack anything that the model names.
-  bool isNeeded() const { return !this->Missing.empty(); }
+  /// Whether the data lack anything that the model names, or what they have of it has another
+  /// extent, by more than a hundredth, than in the data that the model was made for.
+  bool isNeeded() const;
 
   /// Change the model as chosen.
   void apply();
@@ -41,17 +45,26 @@ public:
 private:
   Q_DISABLE_COPY(pqTFCMapDialog)
 
-  using Name = std::pair<std::string, int>; ///< array and component
+  /// An attribute that the model names.
+  struct Name
+  {
+    std::string Array;
+    int Component = 0;
+    std::vector<double> Quantiles; ///< of the data that the model was made for
+    QComboBox* Choice = nullptr;   ///< null: these data have it
+  };
   void collect(const std::string& array, int component);
-  int choice(const std::string& array, int component) const;
-  void mapAxes();
-  void mapTertiaries();
+  void makeChoice(Name& name, int index);
+  bool hasOtherExtent(const Name& name) const;
+  const pqTFCAttribute* choice(const Name& name) const;
 
   pqTFCDocument* Document;
   vtkTFCTransferFunction* Model;
-  std::vector<Name> Missing;
-  std::vector<QComboBox*> Choices;
-  QCheckBox* Rescale;
+  std::vector<vtkTFCQuantiles::Entry> Entries;
+  std::vector<Name> Names;
+  QRadioButton* Keep;
+  QRadioButton* ByRange;
+  QRadioButton* ByQuantile;
 };
 
 #endif

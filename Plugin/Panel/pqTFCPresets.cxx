@@ -6,33 +6,21 @@
 #include "pqFileDialog.h"
 #include "pqTFCDocument.h"
 #include "pqTFCMapDialog.h"
+#include "pqTFCPresetDialog.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkTFCQuantiles.h"
 #include "vtkTFCRegion.h"
 #include "vtkTFCTransferFunction.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QDir>
-#include <QFile>
 #include <QFileInfo>
-#include <QInputDialog>
-#include <QSaveFile>
 
 namespace
 {
-const char* const SUFFIX = ".tfc.json";
-// More than vtkTFCTransferFunction reads: not worth loading.
-constexpr qint64 LARGEST_FILE = 8 * 1024 * 1024;
-
-// A model whose errors are the caller's to report.
-void Silence(vtkTFCTransferFunction* model)
-{
-  vtkNew<vtkCallbackCommand> nothing;
-  nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  model->AddObserver(vtkCommand::ErrorEvent, nothing);
-}
+const char* const FILTERS = "Combined transfer functions (*.tfc.json *.json)";
 }
 
 //-----------------------------------------------------------------------------
@@ -41,7 +29,7 @@ pqTFCPresets::pqTFCPresets(pqTFCDocument* document, QWidget* parentObject)
   , Document(document)
 {
   this->setObjectName("FileMenu");
-  const QString filters = tr("Combined transfer functions (*.tfc.json *.json)");
+  const QString filters = tr(FILTERS);
   QAction* openAction = this->addAction(tr("Open ..."));
   openAction->setObjectName("Open");
   QObject::connect(openAction, &QAction::triggered, this,
@@ -71,9 +59,9 @@ pqTFCPresets::pqTFCPresets(pqTFCDocument* document, QWidget* parentObject)
       }
     });
   this->addSeparator();
-  this->Presets = this->addMenu(tr("Presets"));
-  this->Presets->setObjectName("Presets");
-  QObject::connect(this->Presets, &QMenu::aboutToShow, this, &pqTFCPresets::fillPresets);
+  QAction* presets = this->addAction(tr("Presets ..."));
+  presets->setObjectName("Presets");
+  QObject::connect(presets, &QAction::triggered, this, &pqTFCPresets::showPresets);
   this->addSeparator();
   QAction* copy = this->addAction(tr("Copy Regions"));
   copy->setObjectName("Copy");
@@ -87,30 +75,19 @@ pqTFCPresets::pqTFCPresets(pqTFCDocument* document, QWidget* parentObject)
 pqTFCPresets::~pqTFCPresets() = default;
 
 //-----------------------------------------------------------------------------
-QString pqTFCPresets::folder() const
-{
-  return pqCoreUtilities::getParaViewUserDirectory() + "/CombinedTransferFunctions";
-}
-
-//-----------------------------------------------------------------------------
 bool pqTFCPresets::open(const QString& path)
 {
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly) || file.size() > LARGEST_FILE)
+  if (!this->Document->isReady())
   {
-    this->Document->say(tr("%1 cannot be read: %2.")
-                          .arg(QFileInfo(path).fileName(),
-                            file.isOpen() ? tr("it is too large") : file.errorString()));
+    this->Document->say(tr("Show the data as Combined Volume first."));
     return false;
   }
   // In a model of its own first: what it names may not be in these data.
   vtkNew<vtkTFCTransferFunction> model;
-  Silence(model);
-  if (!this->Document->isReady() || !model->SetState(file.readAll().constData()))
+  const QString problem = pqTFCPresetFolder::read(path, model);
+  if (!problem.isEmpty())
   {
-    this->Document->say(
-      tr("%1 is not a transfer function. %2")
-        .arg(QFileInfo(path).fileName(), QString::fromStdString(model->GetLastError())));
+    this->Document->say(tr("%1 cannot be read. %2").arg(QFileInfo(path).fileName(), problem));
     return false;
   }
   pqTFCMapDialog dialog(this->Document, model, pqCoreUtilities::mainWidget());
@@ -122,73 +99,82 @@ bool pqTFCPresets::open(const QString& path)
     }
     dialog.apply();
   }
+  // They are those of other data.
+  vtkTFCQuantiles::Store(model, {});
   return this->Document->replace(tr("Open transfer function"),
     QString::fromStdString(model->GetState()));
 }
 
 //-----------------------------------------------------------------------------
-bool pqTFCPresets::save(const QString& path)
+QString pqTFCPresets::stateForFiles() const
 {
-  // Whole or not at all: a full disk must not cost the previous file.
-  QSaveFile file(path);
-  const QByteArray text = this->Document->state().toUtf8();
-  if (text.isEmpty() || !file.open(QIODevice::WriteOnly) || file.write(text) != text.size() ||
-    !file.commit())
+  vtkNew<vtkTFCTransferFunction> model;
+  model->SetState(this->Document->state().toUtf8().constData());
+  std::vector<vtkTFCQuantiles::Entry> entries;
+  const auto add = [&](const std::string& array, int component)
   {
-    this->Document->say(text.isEmpty()
-        ? tr("There is no transfer function to save.")
-        : tr("%1 cannot be written: %2.").arg(QFileInfo(path).fileName(), file.errorString()));
-    return false;
+    const pqTFCAttribute* attribute = this->Document->findAttribute(array, component);
+    if (attribute && vtkTFCQuantiles::Find(entries, array, component).empty())
+    {
+      const auto values = this->Document->quantiles(*attribute, vtkTFCQuantiles::Number);
+      if (!values.empty())
+      {
+        entries.push_back({ array, component, values });
+      }
+    }
+  };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    add(model->GetAxisArray(axis), model->GetAxisComponent(axis));
   }
-  return true;
+  for (int i = 0; i < model->GetNumberOfRegions(); ++i)
+  {
+    add(model->GetRegion(i)->GetTertiaryArray(), model->GetRegion(i)->GetTertiaryComponent());
+  }
+  vtkTFCQuantiles::Store(model, entries);
+  return QString::fromStdString(model->GetState());
 }
 
 //-----------------------------------------------------------------------------
-void pqTFCPresets::fillPresets()
+bool pqTFCPresets::save(const QString& path)
 {
-  this->Presets->clear();
-  QAction* saveAction = this->Presets->addAction(tr("Save as Preset ..."));
-  saveAction->setObjectName("SavePreset");
-  QObject::connect(saveAction, &QAction::triggered, this,
-    [this]()
-    {
-      bool accepted = false;
-      QString name = QInputDialog::getText(pqCoreUtilities::mainWidget(), tr("Save as Preset"),
-        tr("Name of the preset:"), QLineEdit::Normal, QString(), &accepted);
-      // A name, not a path.
-      name.replace('/', '-').replace('\\', '-');
-      if (accepted && !name.trimmed().isEmpty() && QDir().mkpath(this->folder()))
-      {
-        this->save(this->folder() + "/" + name.trimmed() + SUFFIX);
-      }
-    });
-  QAction* show = this->Presets->addAction(tr("Folder: %1").arg(this->folder()));
-  show->setEnabled(false);
-  this->Presets->addSeparator();
-  const QDir directory(this->folder());
-  const QFileInfoList files =
-    directory.entryInfoList({ QString("*") + SUFFIX }, QDir::Files, QDir::Name | QDir::IgnoreCase);
-  for (const QFileInfo& file : files)
+  if (this->Document->state().isEmpty())
   {
-    const QString name = file.fileName().chopped(static_cast<int>(qstrlen(SUFFIX)));
-    QMenu* preset = this->Presets->addMenu(name);
-    QObject::connect(preset->addAction(tr("Apply")), &QAction::triggered, this,
-      [this, file]() { this->open(file.filePath()); });
-    QObject::connect(preset->addAction(tr("Rename ...")), &QAction::triggered, this,
-      [this, file, name]()
-      {
-        QString text = QInputDialog::getText(pqCoreUtilities::mainWidget(), tr("Rename Preset"),
-          tr("New name:"), QLineEdit::Normal, name);
-        text.replace('/', '-').replace('\\', '-');
-        if (!text.trimmed().isEmpty() && text != name &&
-          !QFile::rename(file.filePath(), this->folder() + "/" + text.trimmed() + SUFFIX))
-        {
-          this->Document->say(tr("There is a preset %1 already.").arg(text));
-        }
-      });
-    QObject::connect(preset->addAction(tr("Delete")), &QAction::triggered, this,
-      [this, file]() { QFile::remove(file.filePath()); });
+    this->Document->say(tr("There is no transfer function to save."));
+    return false;
   }
+  const QString problem = pqTFCPresetFolder::write(path, this->stateForFiles());
+  if (!problem.isEmpty())
+  {
+    this->Document->say(tr("%1 cannot be written: %2.").arg(QFileInfo(path).fileName(), problem));
+  }
+  return problem.isEmpty();
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCPresets::showPresets()
+{
+  if (this->Dialog)
+  {
+    this->Dialog->refresh();
+  }
+  else
+  {
+    this->Dialog = new pqTFCPresetDialog(&this->Folder, pqCoreUtilities::mainWidget());
+    this->Dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(this->Dialog, &pqTFCPresetDialog::applied, this, &pqTFCPresets::open);
+    QObject::connect(this->Dialog, &pqTFCPresetDialog::saved, this,
+      [this](const QString& name)
+      {
+        const QString problem = this->Document->state().isEmpty()
+          ? tr("There is no transfer function to save.")
+          : this->Folder.save(name, this->stateForFiles());
+        this->Dialog->refresh(name.trimmed());
+        this->Dialog->say(problem);
+      });
+  }
+  this->Dialog->show();
+  this->Dialog->raise();
 }
 
 //-----------------------------------------------------------------------------
@@ -218,7 +204,10 @@ void pqTFCPresets::copyRegions()
 void pqTFCPresets::pasteRegions()
 {
   vtkNew<vtkTFCTransferFunction> copies;
-  Silence(copies);
+  // Its errors are said below.
+  vtkNew<vtkCallbackCommand> nothing;
+  nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  copies->AddObserver(vtkCommand::ErrorEvent, nothing);
   const QString text = QApplication::clipboard()->text();
   if (text.trimmed().isEmpty() || !copies->SetState(text.toUtf8().constData()))
   {

@@ -4,15 +4,20 @@
  * @class pqTFCPresets
  * @brief The menu of files: open and save transfer functions, presets, copy and paste of regions.
  *
- * Presets are .tfc.json files in the folder CombinedTransferFunctions of ParaView's settings.
+ * Files and presets are written with the quantiles of the attributes that they name, so that they
+ * can be fitted to other data; opening one removes them.
  */
 
 #ifndef pqTFCPresets_h
 #define pqTFCPresets_h
 
 #include <QMenu>
+#include <QPointer>
+
+#include "pqTFCPresetFolder.h"
 
 class pqTFCDocument;
+class pqTFCPresetDialog;
 
 class pqTFCPresets : public QMenu
 {
@@ -32,15 +37,16 @@ public Q_SLOTS:
   void pasteRegions();
 
 private Q_SLOTS:
-  void fillPresets();
+  void showPresets();
 
 private:
   Q_DISABLE_COPY(pqTFCPresets)
 
-  QString folder() const;
+  QString stateForFiles() const;
 
   pqTFCDocument* Document;
-  QMenu* Presets;
+  pqTFCPresetFolder Folder;
+  QPointer<pqTFCPresetDialog> Dialog;
 };
 
 #endif

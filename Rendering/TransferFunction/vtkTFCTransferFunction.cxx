@@ -109,24 +109,56 @@ void vtkTFCTransferFunction::SetProposal(bool proposal)
 {
   if (proposal != this->GetProposal())
   {
-    if (proposal)
-    {
-      this->Internal->Values.Extras[PROPOSAL] = "true";
-    }
-    else
-    {
-      this->Internal->Values.Extras.erase(PROPOSAL);
-    }
-    this->Modified();
+    this->SetNote(PROPOSAL, proposal ? "true" : "");
   }
 }
 
 //------------------------------------------------------------------------------
 bool vtkTFCTransferFunction::GetProposal() const
 {
+  return this->GetNote(PROPOSAL) == "true";
+}
+
+//------------------------------------------------------------------------------
+bool vtkTFCTransferFunction::SetNote(const char* key, const std::string& json)
+{
+  const std::string name = key ? key : "";
+  // Through the reader of states, so that its limits hold and what is written can be read.
+  vtkTFCState state;
+  std::string error;
+  if (name.compare(0, 2, "x-") != 0 || name.find_first_of("\"\\") != std::string::npos ||
+    (!json.empty() &&
+      (!vtkTFCReadState("{\"format\": \"transfer-function-combination\", \"version\": 1, \"" +
+           name + "\": " + json + "}",
+         state, error) ||
+        state.Extras.size() != 1)))
+  {
+    vtkErrorMacro("Expected a key that starts with x- and JSON, got \"" << name << "\". " << error);
+    return false;
+  }
+  const std::string text = json.empty() ? "" : state.Extras.begin()->second;
+  if (text != this->GetNote(name.c_str()))
+  {
+    vtkTFCExtras& extras = this->Internal->Values.Extras;
+    if (text.empty())
+    {
+      extras.erase(name);
+    }
+    else
+    {
+      extras[name] = text;
+    }
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTFCTransferFunction::GetNote(const char* key) const
+{
   const vtkTFCExtras& extras = this->Internal->Values.Extras;
-  const auto proposal = extras.find(PROPOSAL);
-  return proposal != extras.end() && proposal->second == "true";
+  const auto note = extras.find(key ? key : "");
+  return note == extras.end() ? std::string() : note->second;
 }
 
 //------------------------------------------------------------------------------

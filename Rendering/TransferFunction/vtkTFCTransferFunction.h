@@ -70,6 +70,16 @@ public:
   bool GetProposal() const;
   ///@}
 
+  ///@{
+  /**
+   * A note in the state: JSON text under a key that starts with "x-". An empty text removes the
+   * note. SetNote() returns false with an error, and changes nothing, for another key or for what
+   * is not JSON. GetNote() is empty when there is none.
+   */
+  bool SetNote(const char* key, const std::string& json);
+  std::string GetNote(const char* key) const;
+  ///@}
+
   enum Axes
   {
     Primary = 0,

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: the Transfer Function Combinations developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Loaded into paraview by LD_PRELOAD: the event "drop" with the path of a file, which ParaView's
+// playback lacks. The file is dropped as a file manager does it, from outside, onto any widget; Qt
+// finds the one that takes it.
+#include "pqApplicationCore.h"
+#include "pqCoreTestUtility.h"
+#include "pqEventPlayer.h"
+#include "pqWidgetEventPlayer.h"
+
+#include <QApplication>
+#include <QDebug>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QTimer>
+#include <QUrl>
+#include <QWidget>
+
+// Players are told apart by the names of their classes.
+class DropPlayer : public pqWidgetEventPlayer
+{
+  Q_OBJECT
+
+public:
+  using pqWidgetEventPlayer::playEvent;
+  using pqWidgetEventPlayer::pqWidgetEventPlayer;
+
+  bool playEvent(QObject* object, const QString& command, const QString& arguments,
+    bool& error) override
+  {
+    auto* widget = qobject_cast<QWidget*>(object);
+    if (command != "drop" || !widget)
+    {
+      return false;
+    }
+    QMimeData data;
+    data.setUrls({ QUrl::fromLocalFile(arguments) });
+    const QPoint middle = widget->rect().center();
+    QDragEnterEvent enter(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    enter.ignore();
+    QApplication::sendEvent(widget, &enter);
+    if (!enter.isAccepted())
+    {
+      qCritical() << "Nobody takes" << arguments;
+      error = true;
+      return true;
+    }
+    QDropEvent drop(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(widget, &drop);
+    return true;
+  }
+};
+
+namespace
+{
+// ParaView's core comes after Qt's application.
+void Install()
+{
+  pqApplicationCore* core = pqApplicationCore::instance();
+  if (core)
+  {
+    core->testUtility()->eventPlayer()->addWidgetEventPlayer(new DropPlayer(core));
+  }
+  else
+  {
+    QTimer::singleShot(0, Install);
+  }
+}
+
+void Start()
+{
+  if (qobject_cast<QApplication*>(QCoreApplication::instance()))
+  {
+    // Not for what ParaView starts, such as MPI's daemon.
+    qunsetenv("LD_PRELOAD");
+    QTimer::singleShot(0, Install);
+  }
+}
+}
+
+Q_COREAPP_STARTUP_FUNCTION(Start)
+#include "DropPlayer.moc"
