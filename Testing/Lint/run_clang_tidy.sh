@@ -25,5 +25,9 @@ for program in run-clang-tidy-14 clang-tidy-14; do
     exit 2
   fi
 done
+if ! grep -Eq "\"file\": \"$root/$files\\.cxx\"" "$build/compile_commands.json"; then
+  echo "no source matches $files (from the root on, without the ending .cxx)" >&2
+  exit 2
+fi
 exec run-clang-tidy-14 -clang-tidy-binary "$(command -v clang-tidy-14)" -quiet \
   -j "${JOBS:-$(nproc)}" -p "$build" "^$root/$files\\.cxx\$"
