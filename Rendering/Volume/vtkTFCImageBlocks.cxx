@@ -239,7 +239,7 @@ void Cut(vtkImageData* image, const std::vector<vtkTFCAttribute>& attributes,
   }
   const vtkIdType others = static_cast<vtkIdType>(pieces[0]) * pieces[1];
   const vtkIdType most = std::max<vtkIdType>(1, limits.MostVoxels);
-  const auto wanted = static_cast<vtkIdType>((voxels / others + most - 1) / most);
+  const vtkIdType wanted = 1 + (voxels / others - 1) / most; // rounded up
   const int layers = std::max(1, whole[5] - whole[4]);
   pieces[2] = static_cast<int>(std::min<vtkIdType>(layers, std::max<vtkIdType>(pieces[2], wanted)));
   if (pieces[0] * pieces[1] * pieces[2] == 1)
