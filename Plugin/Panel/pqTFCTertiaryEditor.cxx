@@ -120,8 +120,8 @@ pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* a
     QObject::connect(widget, &pqTransferFunctionWidget::controlPointsModified, this,
       &pqTFCTertiaryEditor::onPointsModified);
   }
-  QObject::connect(this->Attribute, &pqTFCTertiaryBox::chosen, this,
-    &pqTFCTertiaryEditor::onAttribute);
+  QObject::connect(this->Attribute, &pqTFCTertiaryBox::chosen, document,
+    &pqTFCDocument::setTertiary);
   QObject::connect(this->UseColors, &QCheckBox::toggled, this, &pqTFCTertiaryEditor::onUseColors);
   QObject::connect(this->Points, &pqTFCField::editingFinished, this,
     &pqTFCTertiaryEditor::onPointsTyped);
@@ -265,46 +265,6 @@ void pqTFCTertiaryEditor::showHistogram(vtkTFCRegion* region)
   const QString voxels = tr("%L1 voxels").arg(std::round(this->Total), 0, 'f', 0);
   this->Caption->setText(
     this->Document->isStale(region) ? tr("%1 (out of date)").arg(voxels) : voxels);
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCTertiaryEditor::onAttribute(int index)
-{
-  vtkTFCRegion* region = this->Document->activeRegion();
-  if (!region)
-  {
-    return;
-  }
-  this->Document->edit(tr("Change tertiary attribute"),
-    [&]()
-    {
-      if (index < 0)
-      {
-        region->RemoveTertiary();
-        return;
-      }
-      // All voxels of the region stay visible until the user says otherwise.
-      const pqTFCAttribute& attribute = this->Document->attributes()[index];
-      if (region->HasTertiary() && region->GetTertiaryArray() == attribute.Array &&
-        region->GetTertiaryComponent() == attribute.Component)
-      {
-        return;
-      }
-      double low = attribute.Range[0];
-      double high = attribute.Range[1];
-      if (!(low < high))
-      {
-        const double half = std::max(0.5, std::abs(low) / 2);
-        high = low + half;
-        low -= half;
-      }
-      vtkNew<vtkDoubleArray> nodes;
-      nodes->SetNumberOfComponents(2);
-      nodes->InsertNextTuple2(low, 1);
-      nodes->InsertNextTuple2(high, 1);
-      region->ClearTertiaryRange();
-      region->SetTertiary(attribute.Array.c_str(), attribute.Component, nodes);
-    });
 }
 
 //-----------------------------------------------------------------------------

@@ -49,7 +49,6 @@ protected:
 
 private Q_SLOTS:
   void refresh();
-  void onAttribute(int attribute);
   void onPointsModified();
   void onPointsTyped();
   void onUseColors(bool use);
