@@ -4,6 +4,7 @@
 
 #include "pqTFCDocument.h"
 #include "pqTFCField.h"
+#include "pqTFCFunctionLook.h"
 #include "pqTFCTertiaryBox.h"
 #include "pqTransferFunctionWidget.h"
 #include "vtkColorTransferFunction.h"
@@ -231,8 +232,34 @@ void pqTFCTertiaryEditor::showFunctions(vtkTFCRegion* region)
   this->Ends[0]->setText(QString::number(extent[0], 'g', 5));
   this->Ends[1]->setText(QString::number(extent[1], 'g', 5));
   this->Points->show(points.join("; "), false);
-  this->Opacity->render();
-  this->Colors->render();
+  this->followPalette();
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::followPalette()
+{
+  for (pqTransferFunctionWidget* widget : { this->Opacity, this->Colors })
+  {
+    // Not the palette of the widget, which gets the new one after its parent.
+    pqTFCFollowPalette(widget, this->palette());
+    widget->render();
+  }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::changeEvent(QEvent* e)
+{
+  this->Superclass::changeEvent(e);
+  if (e->type() == QEvent::PaletteChange)
+  {
+    this->followPalette();
+  }
+}
+
+//-----------------------------------------------------------------------------
+QString pqTFCTertiaryEditor::colors() const
+{
+  return pqTFCFunctionColors(this->Opacity);
 }
 
 //-----------------------------------------------------------------------------
