@@ -64,8 +64,8 @@ pqTFCAdviceDialog::pqTFCAdviceDialog(pqTFCDocument* document, pqTFCAdvice* advic
   row->addWidget(label);
   row->addWidget(this->Balance);
   layout->addLayout(row);
-  this->Scores =
-    this->makeTable("Scores", { tr("Attribute"), tr("Correlation"), tr("Entropy"), tr("Score") });
+  this->Scores = this->makeTable("Scores",
+    { tr("Attribute"), tr("Correlation"), tr("Entropy"), tr("Score"), "" });
   layout->addWidget(this->Scores);
   this->Region = new QLabel(this);
   layout->addWidget(this->Region);
@@ -144,7 +144,8 @@ void pqTFCAdviceDialog::fillAxes()
 //-----------------------------------------------------------------------------
 void pqTFCAdviceDialog::fillScores()
 {
-  auto candidates = this->Advice->candidates();
+  std::vector<pqTFCAdvice::Candidate>& candidates = this->Candidates;
+  candidates = this->Advice->candidates();
   const double a = this->Balance->value();
   std::stable_sort(candidates.begin(), candidates.end(),
     [a](const auto& x, const auto& y) { return x.Score(a) > y.Score(a); });
@@ -155,6 +156,35 @@ void pqTFCAdviceDialog::fillScores()
     this->Scores->setItem(row, 1, Cell(candidates[row].Correlation));
     this->Scores->setItem(row, 2, Cell(candidates[row].Entropy));
     this->Scores->setItem(row, 3, Cell(candidates[row].Score(a)));
+    // One button per row for good: the slider may be under way in the middle of this.
+    if (!this->Scores->cellWidget(row, 4))
+    {
+      auto* use = new QPushButton(tr("Use"), this->Scores);
+      use->setObjectName(QString("Tertiary%1").arg(row));
+      use->setToolTip(tr("As the tertiary attribute of the selected region"));
+      this->Scores->setCellWidget(row, 4, use);
+      QObject::connect(use, &QPushButton::clicked, this, [this, row]() { this->useTertiary(row); });
+    }
+  }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCAdviceDialog::useTertiary(int row)
+{
+  const pqTFCAdvice::Candidate& candidate = this->Candidates[row];
+  vtkTFCRegion* region = this->Document->activeRegion();
+  if (!region || region->GetLocked())
+  {
+    this->Document->say(region ? tr("The selected region is locked.")
+                               : tr("Select the region that shall have this attribute first."));
+    return;
+  }
+  // The list may have changed since the table was filled.
+  const pqTFCAttribute* attribute =
+    this->Document->findAttribute(candidate.Array, candidate.Component);
+  if (attribute)
+  {
+    this->Document->setTertiary(static_cast<int>(attribute - this->Document->attributes().data()));
   }
 }
 

@@ -11,10 +11,11 @@
 
 #include <QDialog>
 
+#include "pqTFCAdvice.h"
+
 class QLabel;
 class QTableWidget;
 class pqDoubleRangeWidget;
-class pqTFCAdvice;
 class pqTFCDocument;
 
 class pqTFCAdviceDialog : public QDialog
@@ -34,10 +35,12 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqTFCAdviceDialog)
 
+  void useTertiary(int row);
   QTableWidget* makeTable(const QString& name, const QStringList& columns);
 
   pqTFCDocument* Document;
   pqTFCAdvice* Advice;
+  std::vector<pqTFCAdvice::Candidate> Candidates; ///< in the order of the table
   QTableWidget* Axes;
   QTableWidget* Scores;
   QTableWidget* Splits;

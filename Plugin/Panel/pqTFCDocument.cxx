@@ -236,6 +236,45 @@ void pqTFCDocument::collectAttributes()
 }
 
 //-----------------------------------------------------------------------------
+void pqTFCDocument::setTertiary(int index)
+{
+  vtkTFCRegion* region = this->activeRegion();
+  if (!region || index >= static_cast<int>(this->Attributes.size()))
+  {
+    return;
+  }
+  this->edit(tr("Change tertiary attribute"),
+    [&]()
+    {
+      if (index < 0)
+      {
+        region->RemoveTertiary();
+        return;
+      }
+      const pqTFCAttribute& attribute = this->Attributes[index];
+      if (region->HasTertiary() && region->GetTertiaryArray() == attribute.Array &&
+        region->GetTertiaryComponent() == attribute.Component)
+      {
+        return;
+      }
+      double low = attribute.Range[0];
+      double high = attribute.Range[1];
+      if (!(low < high))
+      {
+        const double half = std::max(0.5, std::abs(low) / 2);
+        high = low + half;
+        low -= half;
+      }
+      vtkNew<vtkDoubleArray> nodes;
+      nodes->SetNumberOfComponents(2);
+      nodes->InsertNextTuple2(low, 1);
+      nodes->InsertNextTuple2(high, 1);
+      region->ClearTertiaryRange();
+      region->SetTertiary(attribute.Array.c_str(), attribute.Component, nodes);
+    });
+}
+
+//-----------------------------------------------------------------------------
 double pqTFCDocument::time() const
 {
   pqDataRepresentation* representation = this->Link.representation();

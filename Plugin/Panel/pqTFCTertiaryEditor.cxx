@@ -4,6 +4,7 @@
 
 #include "pqTFCDocument.h"
 #include "pqTFCField.h"
+#include "pqTFCFunctionLook.h"
 #include "pqTFCTertiaryBox.h"
 #include "pqTransferFunctionWidget.h"
 #include "vtkColorTransferFunction.h"
@@ -120,8 +121,8 @@ pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* a
     QObject::connect(widget, &pqTransferFunctionWidget::controlPointsModified, this,
       &pqTFCTertiaryEditor::onPointsModified);
   }
-  QObject::connect(this->Attribute, &pqTFCTertiaryBox::chosen, this,
-    &pqTFCTertiaryEditor::onAttribute);
+  QObject::connect(this->Attribute, &pqTFCTertiaryBox::chosen, document,
+    &pqTFCDocument::setTertiary);
   QObject::connect(this->UseColors, &QCheckBox::toggled, this, &pqTFCTertiaryEditor::onUseColors);
   QObject::connect(this->Points, &pqTFCField::editingFinished, this,
     &pqTFCTertiaryEditor::onPointsTyped);
@@ -231,8 +232,34 @@ void pqTFCTertiaryEditor::showFunctions(vtkTFCRegion* region)
   this->Ends[0]->setText(QString::number(extent[0], 'g', 5));
   this->Ends[1]->setText(QString::number(extent[1], 'g', 5));
   this->Points->show(points.join("; "), false);
-  this->Opacity->render();
-  this->Colors->render();
+  this->followPalette();
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::followPalette()
+{
+  for (pqTransferFunctionWidget* widget : { this->Opacity, this->Colors })
+  {
+    // Not the palette of the widget, which gets the new one after its parent.
+    pqTFCFollowPalette(widget, this->palette());
+    widget->render();
+  }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::changeEvent(QEvent* e)
+{
+  this->Superclass::changeEvent(e);
+  if (e->type() == QEvent::PaletteChange)
+  {
+    this->followPalette();
+  }
+}
+
+//-----------------------------------------------------------------------------
+QString pqTFCTertiaryEditor::colors() const
+{
+  return pqTFCFunctionColors(this->Opacity);
 }
 
 //-----------------------------------------------------------------------------
@@ -265,46 +292,6 @@ void pqTFCTertiaryEditor::showHistogram(vtkTFCRegion* region)
   const QString voxels = tr("%L1 voxels").arg(std::round(this->Total), 0, 'f', 0);
   this->Caption->setText(
     this->Document->isStale(region) ? tr("%1 (out of date)").arg(voxels) : voxels);
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCTertiaryEditor::onAttribute(int index)
-{
-  vtkTFCRegion* region = this->Document->activeRegion();
-  if (!region)
-  {
-    return;
-  }
-  this->Document->edit(tr("Change tertiary attribute"),
-    [&]()
-    {
-      if (index < 0)
-      {
-        region->RemoveTertiary();
-        return;
-      }
-      // All voxels of the region stay visible until the user says otherwise.
-      const pqTFCAttribute& attribute = this->Document->attributes()[index];
-      if (region->HasTertiary() && region->GetTertiaryArray() == attribute.Array &&
-        region->GetTertiaryComponent() == attribute.Component)
-      {
-        return;
-      }
-      double low = attribute.Range[0];
-      double high = attribute.Range[1];
-      if (!(low < high))
-      {
-        const double half = std::max(0.5, std::abs(low) / 2);
-        high = low + half;
-        low -= half;
-      }
-      vtkNew<vtkDoubleArray> nodes;
-      nodes->SetNumberOfComponents(2);
-      nodes->InsertNextTuple2(low, 1);
-      nodes->InsertNextTuple2(high, 1);
-      region->ClearTertiaryRange();
-      region->SetTertiary(attribute.Array.c_str(), attribute.Component, nodes);
-    });
 }
 
 //-----------------------------------------------------------------------------

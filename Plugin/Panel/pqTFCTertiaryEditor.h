@@ -35,6 +35,9 @@ class pqTFCTertiaryEditor : public QWidget
   Q_OBJECT
   typedef QWidget Superclass;
 
+  /// For tests: ground and curve of the opacity as they are drawn.
+  Q_PROPERTY(QString colors READ colors)
+
 public:
   pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* advice, QWidget* parent = nullptr);
   ~pqTFCTertiaryEditor() override;
@@ -43,13 +46,14 @@ public:
   double total() const { return this->Total; }
 
   pqTransferFunctionWidget* opacityWidget() const { return this->Opacity; }
+  QString colors() const;
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
 private Q_SLOTS:
   void refresh();
-  void onAttribute(int attribute);
   void onPointsModified();
   void onPointsTyped();
   void onUseColors(bool use);
@@ -60,6 +64,7 @@ private:
   void showFunctions(vtkTFCRegion* region);
   void showHistogram(vtkTFCRegion* region);
   void write(vtkTFCRegion* region);
+  void followPalette();
 
   pqTFCDocument* Document;
   pqTFCTertiaryBox* Attribute;

@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: the Transfer Function Combinations developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes what the test of presets needs: volumes of 8 x 8 x 8 points and transfer functions.
+"""Writes what the tests of presets and advice need: volumes of 8 x 8 x 8 points and files.
 
     python3 write_presets.py FOLDER
 
 one.vti: a, b, d = index of the column, the row, the slice. square.vti: c = square of the column,
 and b and d. wide.vti: a = 10 times the column + 5, and b and d. plain.tfc.json: made for x, y and z
 of one.vti's values, without quantiles; its region holds 3 columns, 3 rows and all slices.
-empty.tfc.json: nothing. In FOLDER/home is a user's folder of settings with one preset, of a version to come.
+empty.tfc.json: nothing. advice.vti: see below. In FOLDER/home is a user's folder of settings with
+one preset, of a version to come.
 """
 import json
 import os
@@ -44,6 +45,11 @@ def main():
     write_volume(os.path.join(folder, "one.vti"), a=column, b=row, d=depth)
     write_volume(os.path.join(folder, "square.vti"), c=[i * i for i in column], b=row, d=depth)
     write_volume(os.path.join(folder, "wide.vti"), a=[10 * i + 5 for i in column], b=row, d=depth)
+    # Two attributes that belong together, one that has two separate parts, one that is as varied as
+    # can be and independent of the columns, and the columns once more.
+    write_volume(os.path.join(folder, "advice.vti"), p=column, q=row,
+                 halves=[100 * (k >= 4) + k % 2 for k in depth],
+                 varied=[8 * j + k for j, k in zip(row, depth)], again=[3 * i for i in column])
     with open(os.path.join(folder, "plain.tfc.json"), "w", encoding="ascii") as file:
         json.dump(PLAIN, file)
     open(os.path.join(folder, "empty.tfc.json"), "w", encoding="ascii").close()

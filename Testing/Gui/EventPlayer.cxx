@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Loaded into paraview by LD_PRELOAD: the event "drop" with the path of a file, which ParaView's
-// playback lacks. The file is dropped as a file manager does it, from outside, onto any widget; Qt
-// finds the one that takes it.
+// Loaded into paraview by LD_PRELOAD: two events that ParaView's playback lacks.
+// "drop", with the path of a file: dropped as a file manager does it, from outside, onto any
+// widget; Qt finds the one that takes it. "palette", with two colours: ground and text of the whole
+// program.
 #include "pqApplicationCore.h"
 #include "pqCoreTestUtility.h"
 #include "pqEventPlayer.h"
@@ -13,12 +14,13 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QPalette>
 #include <QTimer>
 #include <QUrl>
 #include <QWidget>
 
 // Players are told apart by the names of their classes.
-class DropPlayer : public pqWidgetEventPlayer
+class TFCEventPlayer : public pqWidgetEventPlayer
 {
   Q_OBJECT
 
@@ -30,6 +32,15 @@ public:
     bool& error) override
   {
     auto* widget = qobject_cast<QWidget*>(object);
+    if (command == "palette")
+    {
+      const QStringList colors = arguments.split(' ');
+      QPalette palette{ QColor(colors[0]) };
+      palette.setColor(QPalette::Base, QColor(colors[0]));
+      palette.setColor(QPalette::Text, QColor(colors[1]));
+      QApplication::setPalette(palette);
+      return true;
+    }
     if (command != "drop" || !widget)
     {
       return false;
@@ -60,7 +71,7 @@ void Install()
   pqApplicationCore* core = pqApplicationCore::instance();
   if (core)
   {
-    core->testUtility()->eventPlayer()->addWidgetEventPlayer(new DropPlayer(core));
+    core->testUtility()->eventPlayer()->addWidgetEventPlayer(new TFCEventPlayer(core));
   }
   else
   {
@@ -80,4 +91,4 @@ void Start()
 }
 
 Q_COREAPP_STARTUP_FUNCTION(Start)
-#include "DropPlayer.moc"
+#include "EventPlayer.moc"
