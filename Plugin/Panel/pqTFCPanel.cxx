@@ -12,6 +12,7 @@
 #include "pqTFCProbe.h"
 #include "pqTFCProbeMark.h"
 #include "pqTFCProposal.h"
+#include "pqTFCReach.h"
 #include "pqTFCRegionForm.h"
 #include "pqTFCRegionList.h"
 #include "pqTFCTertiaryEditor.h"
@@ -70,6 +71,7 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   tools->addAdvice(this->Advice);
   tools->addProbe(this->Probe);
   this->Presets = tools->addFileMenu();
+  pqTFCLetTabReach(tools);
 
   // Above the chart and what belongs to it, below the regions; the user decides on the parts.
   auto* top = new QWidget(contents);
@@ -260,6 +262,12 @@ QString pqTFCPanel::probedTertiary() const
 int pqTFCPanel::highlighted() const
 {
   return this->Highlight->region();
+}
+
+//-----------------------------------------------------------------------------
+QString pqTFCPanel::outOfReach() const
+{
+  return pqTFCOutOfReach(this->widget()).join("; ");
 }
 
 //-----------------------------------------------------------------------------

@@ -46,6 +46,7 @@ class pqTFCPanel : public QDockWidget
   Q_PROPERTY(bool fresh READ isFresh)
   Q_PROPERTY(int staleNotes READ staleNotes)
   Q_PROPERTY(int highlighted READ highlighted)
+  Q_PROPERTY(QString outOfReach READ outOfReach)
 
 public:
   pqTFCPanel(QWidget* parent = nullptr);
@@ -75,6 +76,9 @@ public:
 
   /// Id of the region that stands out in the view, 0 for none.
   int highlighted() const;
+
+  /// Parts without a name or a way to them by keyboard, see pqTFCReach.h.
+  QString outOfReach() const;
 
 protected:
   /// Transfer function files can be dropped anywhere on the panel.

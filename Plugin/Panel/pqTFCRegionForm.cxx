@@ -6,6 +6,7 @@
 #include "pqDoubleRangeWidget.h"
 #include "pqTFCDocument.h"
 #include "pqTFCField.h"
+#include "pqTFCReach.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkTFCEllipseShape.h"
@@ -86,6 +87,8 @@ pqTFCRegionForm::pqTFCRegionForm(pqTFCDocument* document, QWidget* parentObject)
   this->Width->setMaximum(1);
   this->Width->setAccessibleName(tr("Width of the fall-off"));
   this->Width->setToolTip(tr("Part of the region in which the weight falls off"));
+  pqTFCNameParts(this->Opacity);
+  pqTFCNameParts(this->Width);
   this->GeometryLabel = new QLabel(this);
   this->Geometry = new pqTFCField(this);
   this->Geometry->setObjectName("Geometry");
@@ -110,10 +113,11 @@ pqTFCRegionForm::pqTFCRegionForm(pqTFCDocument* document, QWidget* parentObject)
   {
     // Live while the slider moves; one undo step when it is let go or a number was typed.
     QObject::connect(slider, &pqDoubleRangeWidget::valueChanged, this,
-      [this, set](double value)
+      [this, slider, set](double value)
       {
         vtkTFCRegion* region = this->Document->activeRegion();
-        if (region && !this->Refreshing)
+        // The beginning of a number need not be one that is allowed: 0 of 0.25.
+        if (region && !this->Refreshing && value >= slider->minimum() && value <= slider->maximum())
         {
           this->Document->begin();
           this->Document->model()->SetProposal(false);

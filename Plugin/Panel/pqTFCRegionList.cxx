@@ -3,6 +3,7 @@
 #include "pqTFCRegionList.h"
 
 #include "pqTFCDocument.h"
+#include "pqTFCReach.h"
 #include "pqTFCRegionModel.h"
 #include "vtkTFCRegion.h"
 #include "vtkTFCTransferFunction.h"
@@ -97,6 +98,7 @@ QToolBar* pqTFCRegionList::makeActions()
   add(tr("Up"), tr("Move the region up: with the blend 'over', the first one is in front"),
     [this]() { this->moveRegion(-1); });
   add(tr("Down"), tr("Move the region down"), [this]() { this->moveRegion(1); });
+  pqTFCLetTabReach(bar);
   return bar;
 }
 

@@ -121,10 +121,14 @@ void pqTFCToolBar::addViewMenu()
     chart->GetHistogram()->GetColorMap(),
     [chart](int i) { chart->GetHistogram()->SetColorMap(i); });
   menu->addSeparator();
-  QObject::connect(menu->addAction(tr("Fit to regions")), &QAction::triggered, this,
+  QAction* regions = menu->addAction(tr("Fit to regions"));
+  regions->setObjectName("FitRegions");
+  regions->setToolTip(tr("Show the selected regions, or all where none is selected"));
+  QObject::connect(regions, &QAction::triggered, this,
     [chart]() { chart->FitRegions(!chart->GetSelection().empty()); });
-  QObject::connect(menu->addAction(tr("Ranges of the data")), &QAction::triggered, this,
-    &pqTFCToolBar::useDataRanges);
+  QAction* ranges = menu->addAction(tr("Ranges of the data"));
+  ranges->setObjectName("DataRanges");
+  QObject::connect(ranges, &QAction::triggered, this, &pqTFCToolBar::useDataRanges);
   menu->addSeparator();
   QAction* keys = menu->addAction(tr("Keys and Mouse ..."));
   keys->setObjectName("Keys");
