@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTFCMessageBar.h"
 
+#include "pqTFCAttributeFilter.h"
 #include "pqTFCDocument.h"
-#include "pqTFCProposal.h"
 #include "vtkTFCTransferFunction.h"
 
 #include <QHBoxLayout>
@@ -127,12 +127,12 @@ void pqTFCMessageBar::act()
       this->Document->link()->makeCombinedVolume();
       break;
     case pqTFCStateLink::NotAnImage:
-      pqTFCProposal::resampleToImage();
+      pqTFCAttributeFilter::resampleToImage();
       break;
     default:
       if (this->isDiagonal())
       {
-        pqTFCProposal::computeGradient(this->Document);
+        pqTFCAttributeFilter::computeGradient(this->Document);
         break;
       }
       this->Document->edit(tr("Remove proposal"),

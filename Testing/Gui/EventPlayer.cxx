@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Loaded into paraview by LD_PRELOAD: two events that ParaView's playback lacks.
+// Loaded into paraview by LD_PRELOAD: events that ParaView's playback lacks.
 // "drop", with the path of a file: dropped as a file manager does it, from outside, onto any
 // widget; Qt finds the one that takes it. "palette", with two colours: ground and text of the whole
-// program.
+// program. "cancel", with the name of a window that will show progress: its button is clicked as
+// soon as the window is there, which is inside of the next event.
 #include "pqApplicationCore.h"
 #include "pqCoreTestUtility.h"
 #include "pqEventPlayer.h"
@@ -14,10 +15,48 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QPalette>
+#include <QPushButton>
 #include <QTimer>
 #include <QUrl>
 #include <QWidget>
+
+// Waits for a window and clicks its button, once.
+class TFCCanceler : public QObject
+{
+  Q_OBJECT
+
+public:
+  TFCCanceler(const QString& window, QObject* parent)
+    : QObject(parent)
+    , Window(window)
+  {
+    QApplication::instance()->installEventFilter(this);
+  }
+
+protected:
+  bool eventFilter(QObject* object, QEvent* event) override
+  {
+    auto* widget = qobject_cast<QWidget*>(object);
+    if (event->type() == QEvent::Show && widget && widget->objectName() == this->Window)
+    {
+      // Posted, for when the window is processing its events.
+      auto* button = widget->findChild<QPushButton*>();
+      for (const QEvent::Type type : { QEvent::MouseButtonPress, QEvent::MouseButtonRelease })
+      {
+        QApplication::postEvent(button,
+          new QMouseEvent(type, button->rect().center(), Qt::LeftButton, Qt::LeftButton,
+            Qt::NoModifier));
+      }
+      this->deleteLater();
+    }
+    return false;
+  }
+
+private:
+  QString Window;
+};
 
 // Players are told apart by the names of their classes.
 class TFCEventPlayer : public pqWidgetEventPlayer
@@ -39,6 +78,11 @@ public:
       palette.setColor(QPalette::Base, QColor(colors[0]));
       palette.setColor(QPalette::Text, QColor(colors[1]));
       QApplication::setPalette(palette);
+      return true;
+    }
+    if (command == "cancel")
+    {
+      new TFCCanceler(arguments, this);
       return true;
     }
     if (command != "drop" || !widget)
