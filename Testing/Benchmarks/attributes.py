@@ -89,8 +89,8 @@ def normals(values):
 
 STATISTICS = dict(MaximumRadius=6, ConfidenceLevel=0.001)
 ROWS = [
-    # name, size, filter, peer's name, how to call it (or another filter), largest ratio, bytes moved
-    # per voxel (each pass over memory, with the write allocation of what it writes)
+    # name, size, filter, peer's name, how to call it (or another filter), largest ratio, bytes
+    # moved per voxel (each pass over memory, with the write allocation of what it writes)
     Row("gradient magnitude", 256, make("vtkTFCGradientMagnitude"),
         "ITK GradientMagnitudeImageFilter", "itk:gradient", 0.08, 12),
     Row("occlusion, box, R = 40", 256, make("vtkTFCOcclusion", Radius=40),
