@@ -283,8 +283,10 @@ private:
     const Index nx = this->Size[0], ny = this->Size[1], n = this->X.GetLength();
     Real* re = work.Sequences[0].data();
     Real* im = work.Sequences[1].data();
-    std::fill(re, re + n * Lanes, Real(0));
-    std::fill(im, im + n * Lanes, Real(0));
+    // The padding; and the lanes that have no row.
+    const Index padded = ny - y < 2 * Lanes ? 0 : nx;
+    std::fill(re + padded * Lanes, re + n * Lanes, Real(0));
+    std::fill(im + padded * Lanes, im + n * Lanes, Real(0));
     for (Index row = y; row < std::min(y + 2 * Lanes, ny); ++row)
     {
       const float* from = this->Values + (z * ny + row) * nx;
