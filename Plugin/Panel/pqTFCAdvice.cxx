@@ -83,8 +83,8 @@ vtkSmartPointer<vtkTFCTableInformation> pqTFCAdvice::run(const char* name,
   vtkSMPropertyHelper(filter, "Input").Set(port->getSource()->getProxy(), port->getPortNumber());
   prepare(filter);
   filter->UpdateVTKObjects();
-  if (pqTFCCancelableUpdate::run(filter, this->Document->time(),
-        tr("Looking at the attributes...")))
+  const QString label = QString(filter->GetXMLLabel()) + "...";
+  if (pqTFCCancelableUpdate::run(filter, this->Document->time(), label))
   {
     filter->GatherInformation(table, vtkPVSession::DATA_SERVER);
     if (second)

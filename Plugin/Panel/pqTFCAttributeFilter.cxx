@@ -72,6 +72,8 @@ void AddFilter(const Step& step, const QString& state)
   {
     return;
   }
+  // Meanwhile the editor goes on showing what it showed: the new filter has no display yet.
+  active.setActivePort(port);
   auto* proxy = vtkSMSourceProxy::SafeDownCast(filter->getProxy());
   if (!step.Array.empty())
   {
@@ -83,7 +85,6 @@ void AddFilter(const Step& step, const QString& state)
   if (!pqTFCCancelableUpdate::run(proxy, time, step.Title + "..."))
   {
     builder->destroy(filter);
-    active.setActivePort(port);
     // What was made and deleted again is no step.
     if (pqUndoStack* stack = pqApplicationCore::instance()->getUndoStack())
     {
