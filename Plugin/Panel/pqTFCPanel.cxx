@@ -346,7 +346,7 @@ void pqTFCPanel::updateChart()
   }
   else if (ready && !plane)
   {
-    note = tr("No such array in the data");
+    note = tr("No histogram of these arrays");
   }
   this->StaleNotes += isWanted && plane && !this->StaleShown ? 1 : 0;
   this->StaleShown = isWanted && plane;

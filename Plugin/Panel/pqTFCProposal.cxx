@@ -138,7 +138,8 @@ bool pqTFCProposal::proposeAxes()
   const pqTFCAttribute* secondary = this->Document->findAttribute(primary->Array + "_gradient", 0);
   for (const pqTFCAttribute& attribute : attributes)
   {
-    if (!secondary && usable(attribute) && attribute.Array != primary->Array)
+    if (!secondary && usable(attribute) && attribute.Array != primary->Array &&
+      attribute.goesWith(*primary))
     {
       secondary = &attribute;
     }
@@ -180,6 +181,13 @@ void pqTFCProposal::resampleToImage()
 {
   SCOPED_UNDO_SET(tr("Resample To Image"));
   AddFilter("ResampleToImage", "", QString());
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCProposal::cellsToPoints(pqTFCDocument* document)
+{
+  SCOPED_UNDO_SET(tr("Cell Data to Point Data"));
+  AddFilter("CellDataToPointData", "", document->state());
 }
 
 //-----------------------------------------------------------------------------

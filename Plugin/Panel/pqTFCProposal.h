@@ -32,6 +32,9 @@ public:
   /// Add the filter that makes a uniform grid of the active data, and show it.
   static void resampleToImage();
 
+  /// Convert cell arrays to point arrays; the transfer function goes on with them.
+  static void cellsToPoints(pqTFCDocument* document);
+
   /// Add the gradient magnitude of the primary attribute and put it on the secondary axis.
   static void computeGradient(pqTFCDocument* document);
 

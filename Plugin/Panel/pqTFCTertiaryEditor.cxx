@@ -269,7 +269,8 @@ void pqTFCTertiaryEditor::showHistogram(vtkTFCRegion* region)
   double range[2];
   if (!this->Document->conditional(region, counts, range))
   {
-    this->Caption->setText(tr("histogram follows ..."));
+    this->Caption->setText(this->Document->hasArrays(region) ? tr("histogram follows ...")
+                                                             : tr("no histogram of this array"));
     this->Opacity->setHistogramTable(nullptr);
     return;
   }

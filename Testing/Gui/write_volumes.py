@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: the Transfer Function Combinations developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes volumes of 8 x 8 x 8 points, or cells, of which everything is known.
+
+    python3 write_volumes.py FOLDER
+
+points.vti: a, b, d = index of the column, the row, the slice. others.vti: b, d and c = a.
+cells.vti: the same a, b, d of cells. both.vti: p = index of the column of the 9 x 9 x 9 points, and
+a, b of the cells. single.vti: a of the cells. bare.vti: no arrays.
+"""
+import os
+import sys
+
+SIZE = 8
+
+
+def texts(values):
+    """Numbers as XML has them."""
+    return " ".join("%.17g" % v for v in values)
+
+
+def write_volume(path, size, points=None, cells=None):
+    """An image of size^3 points with arrays of its points and its cells. A value that is a sequence
+    makes a vector."""
+    def attributes(tag, arrays):
+        text = ""
+        for name, values in (arrays or {}).items():
+            vectors = isinstance(values[0], (list, tuple))
+            flat = [v for vector in values for v in vector] if vectors else values
+            text += '<DataArray type="Float64" Name="%s" NumberOfComponents="%d" format="ascii">' \
+                    '%s</DataArray>' % (name, len(values[0]) if vectors else 1, texts(flat))
+        return "<%s>%s</%s>" % (tag, text, tag)
+
+    extent = "0 %d " % (size - 1) * 3
+    with open(path, "w", encoding="ascii") as image:
+        image.write('<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">'
+                    '<ImageData WholeExtent="%s" Origin="0 0 0" Spacing="1 1 1">'
+                    '<Piece Extent="%s">%s%s</Piece></ImageData></VTKFile>\n' % (
+                        extent, extent, attributes("PointData", points),
+                        attributes("CellData", cells)))
+
+
+def indices(size):
+    """Column, row and slice of all points, or cells."""
+    places = [(i, j, k) for k in range(size) for j in range(size) for i in range(size)]
+    return [list(index) for index in zip(*places)]
+
+
+def main():
+    def path(name):
+        return os.path.join(sys.argv[1], name)
+
+    column, row, depth = indices(SIZE)
+    write_volume(path("points.vti"), SIZE, points={"a": column, "b": row, "d": depth})
+    write_volume(path("others.vti"), SIZE, points={"c": column, "b": row, "d": depth})
+    write_volume(path("cells.vti"), SIZE + 1, cells={"a": column, "b": row, "d": depth})
+    write_volume(path("both.vti"), SIZE + 1, points={"p": indices(SIZE + 1)[0]},
+                 cells={"a": column, "b": row})
+    write_volume(path("single.vti"), SIZE + 1, cells={"a": column})
+    write_volume(path("bare.vti"), SIZE)
+
+
+main()
