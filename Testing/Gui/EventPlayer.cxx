@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Loaded into paraview by LD_PRELOAD: two events that ParaView's playback lacks.
+// Loaded into paraview by LD_PRELOAD: three events that ParaView's playback lacks.
 // "drop", with the path of a file: dropped as a file manager does it, from outside, onto any
 // widget; Qt finds the one that takes it. "palette", with two colours: ground and text of the whole
-// program.
+// program. "wheel", with place in the widget (0 to 1, from the upper left) and angle in eighths of
+// a degree.
 #include "pqApplicationCore.h"
 #include "pqCoreTestUtility.h"
 #include "pqEventPlayer.h"
@@ -17,6 +18,7 @@
 #include <QPalette>
 #include <QTimer>
 #include <QUrl>
+#include <QWheelEvent>
 #include <QWidget>
 
 // Players are told apart by the names of their classes.
@@ -39,6 +41,16 @@ public:
       palette.setColor(QPalette::Base, QColor(colors[0]));
       palette.setColor(QPalette::Text, QColor(colors[1]));
       QApplication::setPalette(palette);
+      return true;
+    }
+    if (command == "wheel" && widget)
+    {
+      const QStringList numbers = arguments.split(' ');
+      const QPointF place(numbers[0].toDouble() * widget->width(),
+        numbers[1].toDouble() * widget->height());
+      QWheelEvent event(place, widget->mapToGlobal(place.toPoint()), QPoint(),
+        QPoint(0, numbers[2].toInt()), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+      QApplication::sendEvent(widget, &event);
       return true;
     }
     if (command != "drop" || !widget)

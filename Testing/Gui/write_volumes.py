@@ -6,7 +6,9 @@
 
 points.vti: a, b, d = index of the column, the row, the slice. others.vti: b, d and c = a.
 cells.vti: the same a, b, d of cells. both.vti: p = index of the column of the 9 x 9 x 9 points, and
-a, b of the cells. single.vti: a of the cells. bare.vti: no arrays.
+a, b of the cells. single.vti: a of the cells. bare.vti: no arrays. counts.vti: a = the smaller one
+of column and row, b = the slice, at most 3: 15 - 2 a points have given a and b, five times as many
+where b is 3.
 """
 import os
 import sys
@@ -58,6 +60,8 @@ def main():
                  cells={"a": column, "b": row})
     write_volume(path("single.vti"), SIZE + 1, cells={"a": column})
     write_volume(path("bare.vti"), SIZE)
+    write_volume(path("counts.vti"), SIZE, points={
+        "a": [min(i, j) for i, j in zip(column, row)], "b": [min(k, 3) for k in depth]})
 
 
 main()
