@@ -8,7 +8,9 @@ points.vti: a, b, d = index of the column, the row, the slice. others.vti: b, d 
 cells.vti: the same a, b, d of cells. both.vti: p = index of the column of the 9 x 9 x 9 points, and
 a, b of the cells. single.vti: a of the cells. bare.vti: no arrays. counts.vti: a = the smaller one
 of column and row, b = the slice, at most 3: 15 - 2 a points have given a and b, five times as many
-where b is 3.
+where b is 3. vectors.vti: u = (3, 4, 0) times the column, v = (5, 12, 0) times the slice, w =
+(8, 15, 0) times the row, so that lengths are 5, 13 and 17 times that: length_u, length_v, length_w;
+v_y is a component.
 """
 import os
 import sys
@@ -60,6 +62,11 @@ def main():
                  cells={"a": column, "b": row})
     write_volume(path("single.vti"), SIZE + 1, cells={"a": column})
     write_volume(path("bare.vti"), SIZE)
+    write_volume(path("vectors.vti"), SIZE, points={
+        "u": [(3 * i, 4 * i, 0) for i in column], "length_u": [5 * i for i in column],
+        "v": [(5 * k, 12 * k, 0) for k in depth], "length_v": [13 * k for k in depth],
+        "w": [(8 * j, 15 * j, 0) for j in row], "length_w": [17 * j for j in row],
+        "v_y": [12 * k for k in depth]})
     write_volume(path("counts.vti"), SIZE, points={
         "a": [min(i, j) for i, j in zip(column, row)], "b": [min(k, 3) for k in depth]})
 
