@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Loaded into paraview by LD_PRELOAD: three events that ParaView's playback lacks.
+// Loaded into paraview by LD_PRELOAD: events that ParaView's playback lacks.
 // "drop", with the path of a file: dropped as a file manager does it, from outside, onto any
 // widget; Qt finds the one that takes it. "palette", with two colours: ground and text of the whole
 // program. "wheel", with place in the widget (0 to 1, from the upper left) and angle in eighths of
-// a degree.
+// a degree. "save", with a property and the path of a file: writes the property there, for a
+// script. "near", with a property, a tolerance and numbers: the property holds these numbers.
 #include "pqApplicationCore.h"
 #include "pqCoreTestUtility.h"
 #include "pqEventPlayer.h"
@@ -14,12 +15,16 @@
 #include <QDebug>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QFile>
 #include <QMimeData>
 #include <QPalette>
+#include <QRegularExpression>
 #include <QTimer>
 #include <QUrl>
 #include <QWheelEvent>
 #include <QWidget>
+
+#include <cmath>
 
 // Players are told apart by the names of their classes.
 class TFCEventPlayer : public pqWidgetEventPlayer
@@ -53,6 +58,18 @@ public:
       QApplication::sendEvent(widget, &event);
       return true;
     }
+    if (command == "save")
+    {
+      QFile file(arguments.section(' ', 1));
+      const QByteArray text = this->property(object, arguments.section(' ', 0, 0));
+      error = text.isEmpty() || !file.open(QIODevice::WriteOnly) || file.write(text) != text.size();
+      return true;
+    }
+    if (command == "near")
+    {
+      error = !this->isNear(object, arguments.split(' '));
+      return true;
+    }
     if (command != "drop" || !widget)
     {
       return false;
@@ -72,6 +89,36 @@ public:
     QDropEvent drop(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(widget, &drop);
     return true;
+  }
+
+private:
+  static QByteArray property(QObject* object, const QString& name)
+  {
+    const QVariant value = object->property(name.toUtf8().constData());
+    if (!value.isValid())
+    {
+      qCritical() << object << "has no property" << name;
+    }
+    return value.toString().toUtf8();
+  }
+
+  static bool isNear(QObject* object, const QStringList& arguments)
+  {
+    static const QRegularExpression separators("[\\s,;:]+");
+    const QString text = property(object, arguments[0]);
+    const QStringList found = text.split(separators, Qt::SkipEmptyParts);
+    bool same = found.size() == arguments.size() - 2;
+    for (int i = 0; same && i < found.size(); ++i)
+    {
+      bool isNumber = false;
+      const double difference = found[i].toDouble(&isNumber) - arguments[i + 2].toDouble();
+      same = isNumber && std::abs(difference) <= arguments[1].toDouble();
+    }
+    if (!same)
+    {
+      qCritical() << arguments[0] << "is" << text << "and not near" << arguments.mid(2);
+    }
+    return same;
   }
 };
 

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: the Transfer Function Combinations developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""For Vectors.xml: the active transfer function, of lengths and components of vectors, classifies and
-draws vectors.vti (see write_volumes.py) as the same one of scalars that hold these numbers. Then
-the first region is named "same", which the events look for."""
+"""For Vectors.xml: the active transfer function, of lengths and components of vectors, classifies
+and draws vectors.vti (see write_volumes.py) as the same one of scalars that hold these numbers.
+Then the first region is named "same", which the events look for."""
 import json
 import os
 import tempfile

@@ -10,12 +10,15 @@ a, b of the cells. single.vti: a of the cells. bare.vti: no arrays. counts.vti: 
 of column and row, b = the slice, at most 3: 15 - 2 a points have given a and b, five times as many
 where b is 3. vectors.vti: u = (3, 4, 0) times the column, v = (5, 12, 0) times the slice, w =
 (8, 15, 0) times the row, so that lengths are 5, 13 and 17 times that: length_u, length_v, length_w;
-v_y is a component.
+v_y is a component. random.vti: 24^3 points with random numbers: a, b = a + noise, c = b + noise,
+not independent so that c differs from region to region.
 """
 import os
+import random
 import sys
 
 SIZE = 8
+RANDOM_SIZE = 24
 
 
 def texts(values):
@@ -67,6 +70,11 @@ def main():
         "v": [(5 * k, 12 * k, 0) for k in depth], "length_v": [13 * k for k in depth],
         "w": [(8 * j, 15 * j, 0) for j in row], "length_w": [17 * j for j in row],
         "v_y": [12 * k for k in depth]})
+    numbers = random.Random(1)
+    a = [numbers.gauss(0, 1) for _ in range(RANDOM_SIZE ** 3)]
+    b = [v + numbers.gauss(0, 1) for v in a]
+    write_volume(path("random.vti"), RANDOM_SIZE, points={
+        "a": a, "b": b, "c": [v + numbers.gauss(0, 1) for v in b]})
     write_volume(path("counts.vti"), SIZE, points={
         "a": [min(i, j) for i, j in zip(column, row)], "b": [min(k, 3) for k in depth]})
 
