@@ -19,6 +19,7 @@
 #include "pqTFCToolBar.h"
 #include "vtkTFCDomainChart.h"
 #include "vtkTFCHistogramItem.h"
+#include "vtkTFCPolygonShape.h"
 #include "vtkTFCRegion.h"
 #include "vtkTFCShape.h"
 #include "vtkTFCSparseHistogram.h"
@@ -208,6 +209,14 @@ QString pqTFCPanel::selectedShape() const
 {
   vtkTFCRegion* region = this->Document->activeRegion();
   return region ? region->GetShape()->GetTypeName() : "";
+}
+
+//-----------------------------------------------------------------------------
+int pqTFCPanel::selectedCorners() const
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  auto* polygon = region ? vtkTFCPolygonShape::SafeDownCast(region->GetShape()) : nullptr;
+  return polygon ? polygon->GetNumberOfPoints() : 0;
 }
 
 //-----------------------------------------------------------------------------

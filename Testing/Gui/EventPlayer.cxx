@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loaded into paraview by LD_PRELOAD: events that ParaView's playback lacks.
 // "drop", with the path of a file: dropped as a file manager does it, from outside, onto any
-// widget; Qt finds the one that takes it. "palette", with two colours: ground and text of the whole
-// program. "wheel", with place in the widget (0 to 1, from the upper left) and angle in eighths of
-// a degree. "save", with a property and the path of a file: writes the property there, for a
-// script. "near", with a property, a tolerance and numbers: the property holds these numbers.
+// widget; Qt finds the one that takes it.
+// "near", with a property, a tolerance and numbers: the property holds these numbers.
+// "palette", with two colours: ground and text of the whole program.
+// "save", with a property and the path of a file: writes the property there, for a script.
+// "stroke", with a number of moves and two frequencies: the left button drags along their Lissajous
+// curve around the middle of the domain in the chart.
+// "wheel", with place in the widget (0 to 1, from the upper left) and angle in eighths of a degree.
 #include "pqApplicationCore.h"
 #include "pqCoreTestUtility.h"
 #include "pqEventPlayer.h"
@@ -17,6 +20,7 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QPalette>
 #include <QRegularExpression>
 #include <QTimer>
@@ -24,6 +28,7 @@
 #include <QWheelEvent>
 #include <QWidget>
 
+#include <algorithm>
 #include <cmath>
 
 // Players are told apart by the names of their classes.
@@ -56,6 +61,12 @@ public:
       QWheelEvent event(place, widget->mapToGlobal(place.toPoint()), QPoint(),
         QPoint(0, numbers[2].toInt()), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
       QApplication::sendEvent(widget, &event);
+      return true;
+    }
+    if (command == "stroke" && widget)
+    {
+      const QStringList numbers = arguments.split(' ');
+      stroke(widget, numbers[0].toInt(), numbers[1].toDouble(), numbers[2].toDouble());
       return true;
     }
     if (command == "save")
@@ -92,6 +103,23 @@ public:
   }
 
 private:
+  static void stroke(QWidget* widget, int moves, double a, double b)
+  {
+    for (int i = -1; i <= moves; ++i)
+    {
+      const double angle = 2 * M_PI * std::max(i, 0) / moves;
+      const QPointF place((0.55 + 0.2 * std::sin(a * angle)) * widget->width(),
+        (0.43 + 0.2 * std::sin(b * angle + 1)) * widget->height());
+      const QEvent::Type type = i < 0 ? QEvent::MouseButtonPress
+        : i < moves                   ? QEvent::MouseMove
+                                      : QEvent::MouseButtonRelease;
+      QMouseEvent event(type, place, type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+        i < moves ? Qt::LeftButton : Qt::NoButton, Qt::NoModifier);
+      QApplication::sendEvent(widget, &event);
+    }
+    QCoreApplication::processEvents();
+  }
+
   static QByteArray property(QObject* object, const QString& name)
   {
     const QVariant value = object->property(name.toUtf8().constData());
