@@ -19,8 +19,9 @@
 #ifndef TFCBallKernel_h
 #define TFCBallKernel_h
 
+#include "TFCAlignedVector.h"
+#include "TFCCosineTransform.h"
 #include "TFCGradient.h"
-#include "TFCVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,26 +56,26 @@ public:
     const Index nx = this->Reach[0] + 1, ny = this->Reach[1] + 1, nz = this->Reach[2] + 1;
     this->Weights.resize(static_cast<size_t>(nx * ny * nz));
     this->Cumulated.resize(this->Weights.size());
-    for (Index z = 0; z < nz; ++z)
+    const double largest = (1. + 1e-9) * (1. + 1e-9) * radius * radius;
+    for (Index z = 0, i = 0; z < nz; ++z)
     {
       for (Index y = 0; y < ny; ++y)
       {
-        for (Index x = 0; x < nx; ++x)
+        const double dy = static_cast<double>(y) * spacing[1];
+        const double dz = static_cast<double>(z) * spacing[2];
+        for (Index x = 0; x < nx; ++x, ++i)
         {
           const double dx = static_cast<double>(x) * spacing[0];
-          const double dy = static_cast<double>(y) * spacing[1];
-          const double dz = static_cast<double>(z) * spacing[2];
-          const double q = std::sqrt(dx * dx + dy * dy + dz * dz) / radius;
-          double w = q <= 1. + 1e-9 ? 1. : 0.;
+          const double square = dx * dx + dy * dy + dz * dz;
+          double w = square <= largest ? 1. : 0.;
           if (weight == DistanceWeight::Linear)
           {
-            w *= std::max(0., 1. - q / (1. + smallest / radius));
+            w *= std::max(0., 1. - std::sqrt(square) / (radius + smallest));
           }
           else if (weight == DistanceWeight::Gaussian)
           {
-            w *= std::exp(-2. * q * q);
+            w *= std::exp(-2. * square / (radius * radius));
           }
-          const Index i = (z * ny + y) * nx + x;
           this->Weights[i] = w;
           // The planes through the centre are shared by two octants.
           this->Cumulated[i] = w * (x ? 1. : .5) * (y ? 1. : .5) * (z ? 1. : .5);
@@ -118,63 +119,55 @@ public:
   }
 
   /**
-   * Number of values of GetSpectrum() for transforms of the given lengths.
+   * Distance between rows of frequencies along x in GetSpectrum(): zeros fill the last register.
    */
-  static Index GetSpectrumSize(const Index length[3])
+  template <typename Real>
+  static Index GetSpectrumPitch(Index length)
   {
-    return (length[0] / 2 + 1) * (length[1] / 2 + 1) * (length[2] / 2 + 1);
+    return CosineTransform<Real>::GetPitch(length);
   }
 
   /**
    * Discrete Fourier transform of the weights around the origin, times `scale`, of which the
    * frequencies 0 ... length / 2 along each axis say everything: real, and even along each axis.
-   * By matrix products with cosines; `run(count, body)` must call body(begin, end) on ranges that
-   * cover [0, count), in parallel if it likes.
+   * By products with cosines; `run(count, body)` must call body(begin, end) on ranges that cover
+   * [0, count), in parallel if it likes.
    */
   template <typename Real, typename Run>
-  std::vector<Real> GetSpectrum(const Index length[3], double scale, Run&& run) const
+  AlignedVector<Real> GetSpectrum(const Index length[3], double scale, Run&& run) const
   {
     const Index sx = this->Reach[0] + 1, sy = this->Reach[1] + 1, sz = this->Reach[2] + 1;
-    const Index kx = length[0] / 2 + 1, ky = length[1] / 2 + 1, kz = length[2] / 2 + 1;
-    std::vector<Real> a(static_cast<size_t>(kx * sy * sz)), b(static_cast<size_t>(kx * ky * sz));
-    std::vector<Real> result(static_cast<size_t>(kx * ky * kz));
-    const std::vector<Real> ex = Cosines<Real>(length[0], sx, scale);
+    const Index kx = GetSpectrumPitch<Real>(length[0]);
+    const Index ky = length[1] / 2 + 1, kz = length[2] / 2 + 1;
+    const CosineTransform<Real> ex(length[0], sx, scale), ey(length[1], sy), ez(length[2], sz);
+    const std::vector<Real> weights(this->Weights.begin(), this->Weights.end());
+    AlignedVector<Real> a(static_cast<size_t>(kx * sy * sz)), b(static_cast<size_t>(kx * ky * sz));
+    AlignedVector<Real> result(static_cast<size_t>(kx * ky * kz));
     run(sy * sz,
       [&](Index begin, Index end)
       {
         for (Index row = begin; row < end; ++row)
         {
-          for (Index x = 0; x < sx; ++x)
-          {
-            AddMultiple(kx, static_cast<Real>(this->Weights[row * sx + x]), ex.data() + x * kx,
-              a.data() + row * kx);
-          }
+          ex.TransformSequence(weights.data() + row * sx, a.data() + row * kx);
         }
       });
-    const std::vector<Real> ey = Cosines<Real>(length[1], sy, 1.);
-    run(sz * ky,
+    run(sz * ey.GetNumberOfPairs(),
       [&](Index begin, Index end)
       {
-        for (Index row = begin; row < end; ++row)
+        for (Index i = begin; i < end; ++i)
         {
-          const Index z = row / ky, k = row % ky;
-          for (Index y = 0; y < sy; ++y)
-          {
-            AddMultiple(kx, ey[y * ky + k], a.data() + (z * sy + y) * kx, b.data() + row * kx);
-          }
+          const Index z = i / ey.GetNumberOfPairs(), pair = i % ey.GetNumberOfPairs();
+          ey.TransformRows(pair, a.data() + z * sy * kx, kx, kx, b.data() + z * ky * kx, kx);
         }
       });
-    const std::vector<Real> ez = Cosines<Real>(length[2], sz, 1.);
-    run(kz * ky,
+    // All of a y first: its rows of b then stay in the nearest cache.
+    run(ky * ez.GetNumberOfPairs(),
       [&](Index begin, Index end)
       {
-        for (Index row = begin; row < end; ++row)
+        for (Index i = begin; i < end; ++i)
         {
-          const Index k = row / ky, y = row % ky;
-          for (Index z = 0; z < sz; ++z)
-          {
-            AddMultiple(kx, ez[z * kz + k], b.data() + (z * ky + y) * kx, result.data() + row * kx);
-          }
+          const Index y = i / ez.GetNumberOfPairs(), pair = i % ez.GetNumberOfPairs();
+          ez.TransformRows(pair, b.data() + y * kx, ky * kx, kx, result.data() + y * kx, ky * kx);
         }
       });
     return result;
@@ -190,41 +183,12 @@ private:
   /// Running sums along the axis with the given stride and length.
   void Cumulate(Index stride, Index length, Index total)
   {
-    for (Index i = stride; i < total; ++i)
+    for (Index line = 0; line < total; line += stride * length)
     {
-      if (i / stride % length)
+      for (Index i = line + stride; i < line + stride * length; ++i)
       {
         this->Cumulated[i] += this->Cumulated[i - stride];
       }
-    }
-  }
-
-  /// Row j: the contribution of the offsets j and -j to each frequency.
-  template <typename Real>
-  static std::vector<Real> Cosines(Index length, Index count, double scale)
-  {
-    const Index frequencies = length / 2 + 1;
-    std::vector<Real> result(static_cast<size_t>(frequencies * count));
-    for (Index j = 0; j < count; ++j)
-    {
-      for (Index k = 0; k < frequencies; ++k)
-      {
-        const double turns = static_cast<double>(j * k % length) / static_cast<double>(length);
-        result[j * frequencies + k] =
-          static_cast<Real>(scale * (j ? 2. : 1.) * std::cos(2. * 3.14159265358979323846 * turns));
-      }
-    }
-    return result;
-  }
-
-  template <typename Real>
-  static void AddMultiple(Index count, Real factor, const Real* __restrict from,
-    Real* __restrict to)
-  {
-    TFC_INDEPENDENT
-    for (Index i = 0; i < count; ++i)
-    {
-      to[i] += factor * from[i];
     }
   }
 

@@ -25,6 +25,7 @@
 #ifndef TFCBallMean_h
 #define TFCBallMean_h
 
+#include "TFCAlignedVector.h"
 #include "TFCBallKernel.h"
 #include "TFCFourier.h"
 
@@ -98,9 +99,9 @@ public:
    */
   struct Workspace
   {
-    std::vector<Real> Sequences[4]; // for a transform
-    std::vector<Real> Rows;         // of a slice, in the spectrum's layout
-    std::vector<Real> Results;      // rows of a slice
+    AlignedVector<Real> Sequences[4]; // for a transform
+    AlignedVector<Real> Rows;         // of a slice, in the spectrum's layout
+    std::vector<Real> Results;        // rows of a slice
     std::vector<double> Profile, Weights;
   };
 
@@ -150,14 +151,13 @@ public:
   void Filter(Index unit, const Real* response, Real* spectrum, Workspace& work) const
   {
     const Index ny = this->Y.GetLength(), nz = this->Z.GetLength();
-    const Index kx = this->X.GetLength() / 2 + 1, ky = ny / 2 + 1;
+    const Index kx = BallKernel::GetSpectrumPitch<Real>(this->X.GetLength()), ky = ny / 2 + 1;
     const Index y = unit % ny, yResponse = std::min(y, ny - y);
     this->Prepare(work);
     for (Index block = 0; block < this->Blocks; ++block)
     {
       Real* column = spectrum + this->SliceAt(unit / ny, 0) + this->At(y, block);
       const Index stride = this->SliceAt(0, 1);
-      const int lanes = static_cast<int>(std::min<Index>(Lanes, kx - block * Lanes));
       Real* re = work.Sequences[0].data();
       Real* im = work.Sequences[1].data();
       for (Index z = 0; z < this->Size[2]; ++z)
@@ -175,7 +175,8 @@ public:
       for (Index z = 0; z < nz; ++z)
       {
         const Real* row = response + (std::min(z, nz - z) * ky + yResponse) * kx + block * Lanes;
-        for (int l = 0; l < lanes; ++l)
+        TFC_INDEPENDENT
+        for (int l = 0; l < Lanes; ++l)
         {
           re[z * Lanes + l] *= row[l];
           im[z * Lanes + l] *= row[l];
@@ -253,12 +254,17 @@ private:
 
   void Prepare(Workspace& work) const
   {
+    // Lanes without a sequence are transformed with the others: of zeros, as what happens to be in
+    // memory may be slow to calculate with.
     const Index size = std::max({ this->X.GetSize(), this->Y.GetSize(), this->Z.GetSize() });
-    for (auto& sequence : work.Sequences)
+    if (work.Rows.empty())
     {
-      sequence.resize(static_cast<size_t>(size));
+      for (auto& sequence : work.Sequences)
+      {
+        sequence.assign(static_cast<size_t>(size), Real(0));
+      }
+      work.Rows.assign(static_cast<size_t>(this->At(this->Size[1], 0)), Real(0));
     }
-    work.Rows.resize(static_cast<size_t>(this->At(this->Size[1], 0)));
   }
 
   /// Number to transform for a sample: the value, or whether there is one.
@@ -277,8 +283,10 @@ private:
     const Index nx = this->Size[0], ny = this->Size[1], n = this->X.GetLength();
     Real* re = work.Sequences[0].data();
     Real* im = work.Sequences[1].data();
-    std::fill(re, re + n * Lanes, Real(0));
-    std::fill(im, im + n * Lanes, Real(0));
+    // The padding; and the lanes that have no row.
+    const Index padded = ny - y < 2 * Lanes ? 0 : nx;
+    std::fill(re + padded * Lanes, re + n * Lanes, Real(0));
+    std::fill(im + padded * Lanes, im + n * Lanes, Real(0));
     for (Index row = y; row < std::min(y + 2 * Lanes, ny); ++row)
     {
       const float* from = this->Values + (z * ny + row) * nx;

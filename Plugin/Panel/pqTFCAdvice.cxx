@@ -5,6 +5,7 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqServer.h"
+#include "pqTFCCancelableUpdate.h"
 #include "pqTFCDocument.h"
 #include "pqUndoStack.h"
 #include "vtkPVSession.h"
@@ -78,15 +79,18 @@ vtkSmartPointer<vtkTFCTableInformation> pqTFCAdvice::run(const char* name,
   {
     return table;
   }
-  QGuiApplication::setOverrideCursor(QCursor(Qt::WaitCursor));
+  QGuiApplication::setOverrideCursor(QCursor(Qt::BusyCursor));
   vtkSMPropertyHelper(filter, "Input").Set(port->getSource()->getProxy(), port->getPortNumber());
   prepare(filter);
   filter->UpdateVTKObjects();
-  filter->UpdatePipeline(this->Document->time());
-  filter->GatherInformation(table, vtkPVSession::DATA_SERVER);
-  if (second)
+  if (pqTFCCancelableUpdate::run(filter, this->Document->time(),
+        tr("Looking at the attributes...")))
   {
-    filter->GatherInformation(second, vtkPVSession::DATA_SERVER);
+    filter->GatherInformation(table, vtkPVSession::DATA_SERVER);
+    if (second)
+    {
+      filter->GatherInformation(second, vtkPVSession::DATA_SERVER);
+    }
   }
   QGuiApplication::restoreOverrideCursor();
   return table;

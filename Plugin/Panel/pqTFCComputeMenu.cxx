@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTFCComputeMenu.h"
 
+#include "pqTFCAttributeFilter.h"
 #include "pqTFCDocument.h"
-#include "pqTFCProposal.h"
 #include "vtkTFCTransferFunction.h"
 
 namespace
@@ -38,7 +38,8 @@ pqTFCComputeMenu::pqTFCComputeMenu(pqTFCDocument* document, QWidget* parentObjec
     QAction* action = this->addAction(tr(entry.Name));
     action->setObjectName(entry.Filter);
     QObject::connect(action, &QAction::triggered, this,
-      [this, &entry]() { pqTFCProposal::compute(this->Document, entry.Filter, tr(entry.Name)); });
+      [this, &entry]()
+      { pqTFCAttributeFilter::compute(this->Document, entry.Filter, tr(entry.Name)); });
   }
   QObject::connect(this, &QMenu::aboutToShow, this, &pqTFCComputeMenu::refresh);
   QObject::connect(document, &pqTFCDocument::changed, this, &pqTFCComputeMenu::refresh);

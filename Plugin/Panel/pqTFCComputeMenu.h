@@ -5,7 +5,8 @@
  * @brief Attributes of the primary axis that the data do not have yet: adds the filter that
  * computes one, with its defaults, and goes on with the same transfer function on its output.
  *
- * Progress and abort are ParaView's, the parameters are in the properties panel of the filter.
+ * Progress and a button to cancel: see pqTFCCancelableUpdate. The parameters are in the properties
+ * panel of the filter.
  */
 
 #ifndef pqTFCComputeMenu_h

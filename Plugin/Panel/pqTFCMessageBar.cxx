@@ -3,10 +3,10 @@
 #include "pqTFCMessageBar.h"
 
 #include "pqCoreUtilities.h"
+#include "pqTFCAttributeFilter.h"
 #include "pqTFCDataProblem.h"
 #include "pqTFCDocument.h"
 #include "pqTFCMapDialog.h"
-#include "pqTFCProposal.h"
 #include "vtkTFCTransferFunction.h"
 
 #include <QHBoxLayout>
@@ -139,7 +139,7 @@ void pqTFCMessageBar::act()
       this->Document->link()->makeCombinedVolume();
       break;
     case pqTFCStateLink::NotAnImage:
-      pqTFCProposal::resampleToImage();
+      pqTFCAttributeFilter::resampleToImage();
       break;
     default:
       if (this->Problem.Kind == pqTFCDataProblem::Missing)
@@ -149,12 +149,12 @@ void pqTFCMessageBar::act()
       }
       if (this->Problem.Kind == pqTFCDataProblem::Mixed)
       {
-        pqTFCProposal::cellsToPoints(this->Document);
+        pqTFCAttributeFilter::cellsToPoints(this->Document);
         break;
       }
       if (this->isDiagonal())
       {
-        pqTFCProposal::computeGradient(this->Document);
+        pqTFCAttributeFilter::computeGradient(this->Document);
         break;
       }
       this->Document->edit(tr("Remove proposal"),

@@ -32,6 +32,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QSplitter>
+#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -61,6 +62,13 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   this->Chart = new pqTFCChartWidget(contents);
   this->Status = new QLabel(contents);
   this->Status->setObjectName("Status");
+  this->AtProbe = new QToolButton(contents);
+  this->AtProbe->setObjectName("RegionAtProbe");
+  this->AtProbe->setText(tr("Region Here"));
+  this->AtProbe->setToolTip(
+    tr("A new region around the cross: the values of the place that was clicked at in the view"));
+  this->AtProbe->setAutoRaise(true);
+  this->AtProbe->hide();
   auto* list = new pqTFCRegionList(this->Document, contents);
   auto* form = new pqTFCRegionForm(this->Document, contents);
   this->Tertiary = new pqTFCTertiaryEditor(this->Document, this->Advice, contents);
@@ -82,7 +90,10 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   topLayout->setSpacing(2);
   topLayout->addWidget(tools);
   topLayout->addWidget(this->Chart, 1);
-  topLayout->addWidget(this->Status);
+  auto* status = new QHBoxLayout();
+  status->addWidget(this->Status, 1);
+  status->addWidget(this->AtProbe);
+  topLayout->addLayout(status);
   topLayout->addWidget(this->Axes);
   auto* bottom = new QWidget(contents);
   bottom->setObjectName("RegionPart");
@@ -142,14 +153,18 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
     [this, chart](double x, double y)
     {
       chart->SetProbe(x, y);
+      this->AtProbe->show();
       this->Chart->renderLater();
     });
   QObject::connect(this->Probe, &pqTFCProbe::lost, this,
     [this, chart]()
     {
       chart->ClearProbe();
+      this->AtProbe->hide();
       this->Chart->renderLater();
     });
+  QObject::connect(this->AtProbe, &QToolButton::clicked, this->Chart,
+    [chart]() { chart->AddRegion(); });
   QObject::connect(this->Probe, &pqTFCProbe::told, this, &pqTFCPanel::onHover);
   new pqTFCProposal(this->Document, this->Advice, this);
   this->onTargetChanged();

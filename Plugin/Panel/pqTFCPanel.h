@@ -16,6 +16,7 @@
 #include <QString>
 
 class QLabel;
+class QToolButton;
 class pqTFCAdvice;
 class pqTFCAxisBar;
 class pqTFCChartWidget;
@@ -107,6 +108,7 @@ private:
   pqTFCTertiaryEditor* Tertiary;
   pqTFCMessageBar* Messages;
   QLabel* Status;
+  QToolButton* AtProbe; ///< where the status is of a probed place
   pqTFCPresets* Presets;
   pqTFCProbe* Probe;
   pqTFCProbeMark* Mark;

@@ -2,74 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTFCProposal.h"
 
-#include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
-#include "pqObjectBuilder.h"
-#include "pqOutputPort.h"
-#include "pqPipelineSource.h"
-#include "pqServer.h"
 #include "pqTFCAdvice.h"
 #include "pqTFCDocument.h"
 #include "pqUndoStack.h"
-#include "pqView.h"
-#include "vtkDataObject.h"
-#include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkNew.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMRepresentationProxy.h"
-#include "vtkSMSourceProxy.h"
-#include "vtkSMViewProxy.h"
+#include "vtkSMProxy.h"
 #include "vtkTFCProposal.h"
 #include "vtkTFCRegion.h"
 #include "vtkTFCSparseHistogram.h"
 #include "vtkTFCTransferFunction.h"
-
-namespace
-{
-const char* const TYPE = "Combined Volume";
-
-// Add a filter behind the active port, show its output instead of the input, and make it active.
-// The transfer function is set before anybody sees the new representation.
-pqPipelineSource* AddFilter(const char* name, const std::string& array, const QString& state)
-{
-  pqActiveObjects& active = pqActiveObjects::instance();
-  pqOutputPort* port = active.activePort();
-  pqView* view = active.activeView();
-  if (!port || !view)
-  {
-    return nullptr;
-  }
-  pqObjectBuilder* builder = pqApplicationCore::instance()->getObjectBuilder();
-  pqPipelineSource* filter =
-    builder->createFilter("filters", name, port->getSource(), port->getPortNumber());
-  if (!filter)
-  {
-    return nullptr;
-  }
-  auto* proxy = vtkSMSourceProxy::SafeDownCast(filter->getProxy());
-  if (!array.empty())
-  {
-    vtkSMPropertyHelper(proxy, "InputArray")
-      .SetInputArrayToProcess(vtkDataObject::POINT, array.c_str());
-  }
-  proxy->UpdateVTKObjects();
-  proxy->UpdatePipeline(vtkSMPropertyHelper(view->getProxy(), "ViewTime").GetAsDouble());
-  filter->setModifiedState(pqProxy::UNMODIFIED);
-
-  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
-  vtkSMProxy* shown = controller->Show(proxy, 0, view->getViewProxy());
-  if (shown && vtkSMRepresentationProxy::SetRepresentationType(shown, TYPE))
-  {
-    vtkSMPropertyHelper(shown, "TransferFunction").Set(state.toUtf8().constData());
-    shown->UpdateVTKObjects();
-  }
-  controller->Hide(vtkSMSourceProxy::SafeDownCast(port->getSource()->getProxy()),
-    port->getPortNumber(), view->getViewProxy());
-  active.setActiveSource(filter);
-  view->render();
-  return filter;
-}
-}
 
 //-----------------------------------------------------------------------------
 pqTFCProposal::pqTFCProposal(pqTFCDocument* document, pqTFCAdvice* advice, QObject* parentObject)
@@ -173,51 +117,5 @@ void pqTFCProposal::propose()
   if (model->GetNumberOfRegions() > 0)
   {
     this->Document->setSelection({ model->GetRegion(0)->GetId() });
-  }
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCProposal::resampleToImage()
-{
-  SCOPED_UNDO_SET(tr("Resample To Image"));
-  AddFilter("ResampleToImage", "", QString());
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCProposal::cellsToPoints(pqTFCDocument* document)
-{
-  SCOPED_UNDO_SET(tr("Cell Data to Point Data"));
-  AddFilter("CellDataToPointData", "", document->state());
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCProposal::computeGradient(pqTFCDocument* document)
-{
-  // What was there goes on with the new data; only a diagonal has nothing to keep.
-  vtkNew<vtkTFCTransferFunction> model;
-  model->SetState(document->state().toUtf8().constData());
-  const std::string array = model->GetAxisArray(0);
-  if (array.empty())
-  {
-    return;
-  }
-  const bool diagonal = model->GetAxisArray(1) == array;
-  model->SetAxis(1, (array + "_gradient").c_str(), 0);
-  model->ClearAxisRange(1);
-  SCOPED_UNDO_SET(tr("Compute gradient magnitude"));
-  AddFilter("VolumeGradientMagnitude", array,
-    diagonal && model->GetNumberOfRegions() == 0 ? QString()
-                                                 : QString::fromStdString(model->GetState()));
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCProposal::compute(pqTFCDocument* document, const char* filter, const QString& title)
-{
-  const QString state = document->state();
-  const std::string array = document->model()->GetAxisArray(0);
-  if (!array.empty())
-  {
-    SCOPED_UNDO_SET(tr("Compute %1").arg(title));
-    AddFilter(filter, array, state);
   }
 }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqTFCProposal
- * @brief A first picture: fills an empty transfer function with axes and regions, and adds the
- * filters that give a dataset what it lacks.
+ * @brief A first picture: fills an empty transfer function with axes and regions.
  *
  * Axes: the first pair of the filter AxisSuggestion; where it has none, the array that colours the
  * data, or the first one, with the next array. Regions: vtkTFCProposal. Only when somebody chooses
@@ -16,7 +15,6 @@
 #include <QObject>
 #include <QTimer>
 
-class pqPipelineSource;
 class pqTFCAdvice;
 class pqTFCDocument;
 
@@ -28,18 +26,6 @@ class pqTFCProposal : public QObject
 public:
   pqTFCProposal(pqTFCDocument* document, pqTFCAdvice* advice, QObject* parent = nullptr);
   ~pqTFCProposal() override;
-
-  /// Add the filter that makes a uniform grid of the active data, and show it.
-  static void resampleToImage();
-
-  /// Convert cell arrays to point arrays; the transfer function goes on with them.
-  static void cellsToPoints(pqTFCDocument* document);
-
-  /// Add the gradient magnitude of the primary attribute and put it on the secondary axis.
-  static void computeGradient(pqTFCDocument* document);
-
-  /// Add a property filter of the primary attribute; the transfer function stays as it is.
-  static void compute(pqTFCDocument* document, const char* filter, const QString& title);
 
 private Q_SLOTS:
   void later();

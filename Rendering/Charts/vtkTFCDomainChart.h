@@ -162,6 +162,13 @@ public:
   bool HasProbe() const { return this->ProbeShown; }
   ///@}
 
+  /**
+   * A new region of the size that a click makes, around the probe's mark where it is in the plot
+   * and else in the middle: of the tool's shape, an ellipse while there is none. One edit. False,
+   * and nothing new, without a transfer function or during a gesture.
+   */
+  bool AddRegion();
+
   ///@{
   /**
    * Look: light on dark, and what is written in an empty chart.

@@ -68,6 +68,33 @@ void vtkTFCDomainChart::ShowBox(const Point& pixel, int modifiers)
   this->Changed();
 }
 
+bool vtkTFCDomainChart::AddRegion()
+{
+  if (!this->TransferFunction || this->Gesture->Editing)
+  {
+    return false;
+  }
+  // As a click there: drawing without a mouse.
+  const auto& plot = this->Mapping.Plot;
+  const Point probe = this->Mapping.ToPixel(this->Mapping.FromData(this->Probe));
+  const Point middle = { plot[0] + plot[2] / 2, plot[1] + plot[3] / 2 };
+  this->CancelGesture();
+  const int tool = this->Tool;
+  const bool draws = tool >= Ellipse && tool <= Triangle;
+  if (!draws)
+  {
+    this->SetTool(Ellipse);
+  }
+  this->Gesture->Stop(DragModes::Box);
+  this->Gesture->Start = this->ProbeShown && this->Mapping.InPlot(probe) ? probe : middle;
+  this->FinishDrag();
+  if (!draws)
+  {
+    this->SetTool(tool);
+  }
+  return true;
+}
+
 void vtkTFCDomainChart::FinishLasso()
 {
   const double scale = this->Mapping.Scale;

@@ -327,12 +327,7 @@ bool vtkTFCDomainChart::HandleKey(const std::string& key, bool shift, bool contr
   }
   if (key == "Return" && this->Tool >= Ellipse && this->Tool <= Triangle)
   {
-    // As a click in the middle of what is shown: drawing without a mouse.
-    const auto& plot = this->Mapping.Plot;
-    this->Gesture->Stop(DragModes::Box);
-    this->Gesture->Start = { plot[0] + plot[2] / 2, plot[1] + plot[3] / 2 };
-    this->FinishDrag();
-    return true;
+    return this->AddRegion();
   }
   if (clicking && (key == "BackSpace" || key == "Backspace"))
   {

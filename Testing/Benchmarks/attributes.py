@@ -89,23 +89,24 @@ def normals(values):
 
 STATISTICS = dict(MaximumRadius=6, ConfidenceLevel=0.001)
 ROWS = [
-    # name, size, filter, peer's name, how to call it, largest ratio, bytes moved per voxel (each
-    # pass over memory, with the write allocation of what it writes)
+    # name, size, filter, peer's name, how to call it (or another filter), largest ratio, bytes
+    # moved per voxel (each pass over memory, with the write allocation of what it writes)
     Row("gradient magnitude", 256, make("vtkTFCGradientMagnitude"),
         "ITK GradientMagnitudeImageFilter", "itk:gradient", 0.08, 12),
     Row("occlusion, box, R = 40", 256, make("vtkTFCOcclusion", Radius=40),
         "scipy.ndimage.uniform_filter, size 81, no g_x", "uniform_filter", 0.15, 28),
-    Row("occlusion, box, R = 4", 256, make("vtkTFCOcclusion", Radius=4),
-        "the same at R = 40", "row:occlusion, box, R = 40", None, 28),
+    Row("occlusion, box, R = 40, against 4", 256, make("vtkTFCOcclusion", Radius=40),
+        "the same at R = 4", make("vtkTFCOcclusion", Radius=4), 1.15, 28),
     Row("occlusion, sphere, R = 40", 256, make("vtkTFCOcclusion", Radius=40, Neighborhood=1),
         "scipy.fft convolution, real, 2 threads", "fft_sphere", 0.8, 53),
-    Row("occlusion, sphere, R = 4", 256, make("vtkTFCOcclusion", Radius=4, Neighborhood=1),
-        "the same at R = 40", "row:occlusion, sphere, R = 40", None, 47),
+    Row("occlusion, sphere, R = 40, against 4", 256,
+        make("vtkTFCOcclusion", Radius=40, Neighborhood=1),
+        "the same at R = 4", make("vtkTFCOcclusion", Radius=4, Neighborhood=1), 1.15, 53),
     Row("statistics, r <= 6", 256, make("vtkTFCLocalStatistics", **STATISTICS),
         "scipy.fft moments alone, r <= 6", "fft_moments", 0.25, 28),
     Row("statistics, r <= 10", 256,
         make("vtkTFCLocalStatistics", **dict(STATISTICS, MaximumRadius=10)),
-        "the same at r <= 6", "row:statistics, r <= 6", 2.5, 28),
+        "the same at r <= 6", make("vtkTFCLocalStatistics", **STATISTICS), 2.5, 28),
     Row("feature size, up to 25 voxels", 256, make("vtkTFCFeatureSize"),
         "ITK GradientAnisotropicDiffusion, 5 iterations", "itk:diffusion", 0.25, 781),
     Row("feature size, 10 scales", 128, make("vtkTFCFeatureSize", NumberOfScales=10),
@@ -123,7 +124,10 @@ def run_row(row, peers, results, repeats, folder):
     else:
         row.filter.SetInputData(image)
     peer, missing = None, None
-    if row.call.startswith("itk:"):
+    if not isinstance(row.call, str):
+        row.call.SetInputData(image)
+        peer = lambda: benchmarking.update(row.call)
+    elif row.call.startswith("itk:"):
         path = os.path.join(folder, "volume%d.raw" % row.size)
         if not os.path.exists(path):
             values.tofile(path)
@@ -135,10 +139,6 @@ def run_row(row, peers, results, repeats, folder):
                 command, capture_output=True, check=True, text=True).stdout) * 1e-3
     elif row.call == "normals":
         peer = lambda: timed(lambda: normals(values))
-    elif row.call.startswith("row:"):
-        other = next(r for r in ROWS if r.name == row.call[4:])
-        other.filter.SetInputData(image)
-        peer = lambda: benchmarking.update(other.filter)
     else:
         try:
             function = scipy_peer(row.call)

@@ -269,6 +269,35 @@ TEST(DomainChart, ReturnDrawsWithoutAMouse)
   EXPECT_FALSE(scene.Chart->HandleKey("Return", false, false));
 }
 
+// Around the probe's mark where it is shown, whatever the tool.
+TEST(DomainChart, AddsARegionAtTheProbe)
+{
+  ChartScene scene;
+  scene.Counts.clear();
+  scene.Chart->SetProbe(120, 0.5);
+  scene.Chart->SetTool(vtkTFCDomainChart::Lasso);
+  EXPECT_TRUE(scene.Chart->AddRegion());
+  ASSERT_EQ(scene.Model->GetNumberOfRegions(), 1);
+  EXPECT_STREQ(scene.Model->GetRegion(0)->GetShape()->GetTypeName(), "ellipse");
+  ExpectBox(scene.Model->GetRegion(0), 120, 0.5, 100 / 16.0, 2 / 16.0);
+  ExpectOneEdit(scene);
+  EXPECT_EQ(scene.Chart->GetTool(), vtkTFCDomainChart::Lasso);
+  EXPECT_EQ(scene.Chart->GetSelection(), std::vector<int>{ scene.Model->GetRegion(0)->GetId() });
+  // Outside of what is shown: in the middle, as without a probe; with the key as well.
+  scene.Chart->SetProbe(1000, 0.5);
+  EXPECT_TRUE(scene.Chart->HandleKey("r", false, false));
+  EXPECT_TRUE(scene.Chart->HandleKey("Return", false, false));
+  ASSERT_EQ(scene.Model->GetNumberOfRegions(), 2);
+  ExpectBox(scene.Model->GetRegion(1), 150, 0, 100 / 16.0, 2 / 16.0);
+  // A polygon that was begun is dropped.
+  scene.Chart->SetTool(vtkTFCDomainChart::Polygon);
+  scene.Click(130, 0);
+  EXPECT_TRUE(scene.Chart->AddRegion());
+  EXPECT_EQ(scene.Model->GetNumberOfRegions(), 3);
+  scene.Chart->SetTransferFunction(nullptr);
+  EXPECT_FALSE(scene.Chart->AddRegion());
+}
+
 TEST(DomainChart, KeysReachItThroughTheInteractor)
 {
   ChartScene scene;

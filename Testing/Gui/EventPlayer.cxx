@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: the Transfer Function Combinations developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Loaded into paraview by LD_PRELOAD: events that ParaView's playback lacks.
+// "cancel", with the name of a window that will show progress: its button is clicked as soon as the
+// window is there, which is inside of the next event.
 // "drop", with the path of a file: dropped as a file manager does it, from outside, onto any
 // widget; Qt finds the one that takes it.
 // "near", with a property, a tolerance and numbers: the property holds these numbers.
@@ -22,6 +24,7 @@
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QPalette>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTimer>
 #include <QUrl>
@@ -30,6 +33,42 @@
 
 #include <algorithm>
 #include <cmath>
+
+// Waits for a window and clicks its button, once.
+class TFCCanceler : public QObject
+{
+  Q_OBJECT
+
+public:
+  TFCCanceler(const QString& window, QObject* parent)
+    : QObject(parent)
+    , Window(window)
+  {
+    QApplication::instance()->installEventFilter(this);
+  }
+
+protected:
+  bool eventFilter(QObject* object, QEvent* event) override
+  {
+    auto* widget = qobject_cast<QWidget*>(object);
+    if (event->type() == QEvent::Show && widget && widget->objectName() == this->Window)
+    {
+      // Posted, for when the window is processing its events.
+      auto* button = widget->findChild<QPushButton*>();
+      for (const QEvent::Type type : { QEvent::MouseButtonPress, QEvent::MouseButtonRelease })
+      {
+        QApplication::postEvent(button,
+          new QMouseEvent(type, button->rect().center(), Qt::LeftButton, Qt::LeftButton,
+            Qt::NoModifier));
+      }
+      this->deleteLater();
+    }
+    return false;
+  }
+
+private:
+  QString Window;
+};
 
 // Players are told apart by the names of their classes.
 class TFCEventPlayer : public pqWidgetEventPlayer
@@ -51,6 +90,11 @@ public:
       palette.setColor(QPalette::Base, QColor(colors[0]));
       palette.setColor(QPalette::Text, QColor(colors[1]));
       QApplication::setPalette(palette);
+      return true;
+    }
+    if (command == "cancel")
+    {
+      new TFCCanceler(arguments, this);
       return true;
     }
     if (command == "wheel" && widget)
