@@ -106,6 +106,12 @@ void pqTFCAttributeFilter::resampleToImage()
 }
 
 //-----------------------------------------------------------------------------
+void pqTFCAttributeFilter::cellsToPoints(pqTFCDocument* document)
+{
+  AddFilter({ "CellDataToPointData", "", Text("Cell Data to Point Data") }, document->state());
+}
+
+//-----------------------------------------------------------------------------
 void pqTFCAttributeFilter::computeGradient(pqTFCDocument* document)
 {
   // What was there goes on with the new data; only a diagonal has nothing to keep.

@@ -21,6 +21,9 @@ public:
   /// The uniform grid of the active data.
   static void resampleToImage();
 
+  /// Cell arrays as point arrays; the transfer function goes on with them.
+  static void cellsToPoints(pqTFCDocument* document);
+
   /// The gradient magnitude of the primary attribute; it takes the secondary axis.
   static void computeGradient(pqTFCDocument* document);
 

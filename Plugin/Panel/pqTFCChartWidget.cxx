@@ -10,12 +10,17 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkTFCDomainChart.h"
+#include "vtkTFCHistogramItem.h"
 
 #include <QKeyEvent>
 #include <QTimer>
 
+#include <cmath>
+
 namespace
 {
+constexpr double ROUNDING = 1e-9; // of the axis
+
 // The names that vtkTFCDomainChart::HandleKey() knows.
 QString KeyName(const QKeyEvent* event)
 {
@@ -96,6 +101,45 @@ pqTFCChartWidget::~pqTFCChartWidget() = default;
 vtkTFCDomainChart* pqTFCChartWidget::chart() const
 {
   return this->Chart;
+}
+
+//-----------------------------------------------------------------------------
+QString pqTFCChartWidget::view() const
+{
+  double view[4];
+  double ranges[4];
+  QStringList ends;
+  this->Chart->GetViewRange(view);
+  this->Chart->GetAxisRanges(ranges);
+  for (int i = 0; i < 4; ++i)
+  {
+    const double* range = ranges + i / 2 * 2;
+    const double size = range[1] - range[0];
+    const double end = range[0] + view[i] * size;
+    ends << QString::number(std::abs(end) < ROUNDING * size ? 0 : end, 'g', 4);
+  }
+  return ends.join(' ');
+}
+
+//-----------------------------------------------------------------------------
+QString pqTFCChartWidget::look() const
+{
+  const QStringList scales = { "linear", "logarithmic", "percentile" };
+  const QStringList colors = { "gray", "viridis", "inferno" };
+  vtkTFCHistogramItem* histogram = this->Chart->GetHistogram();
+  return scales[histogram->GetScale()] + " " + colors[histogram->GetColorMap()];
+}
+
+//-----------------------------------------------------------------------------
+int pqTFCChartWidget::pictureNumber()
+{
+  this->renderWindow()->Render();
+  const QImage now = this->grabFramebuffer();
+  if (!this->Pictures.contains(now))
+  {
+    this->Pictures << now;
+  }
+  return this->Pictures.indexOf(now);
 }
 
 //-----------------------------------------------------------------------------

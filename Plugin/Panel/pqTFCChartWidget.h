@@ -10,6 +10,9 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <QImage>
+#include <QVector>
+
 #include "vtkNew.h"
 
 class vtkContextView;
@@ -21,11 +24,22 @@ class pqTFCChartWidget : public QVTKOpenGLNativeWidget
   Q_OBJECT
   typedef QVTKOpenGLNativeWidget Superclass;
 
+  /// For tests: the ends of the axes that are in sight, in data units; scale and colours of the
+  /// histogram; and a number for each different picture.
+  Q_PROPERTY(QString view READ view)
+  Q_PROPERTY(QString look READ look)
+  Q_PROPERTY(int pictureNumber READ pictureNumber)
+
 public:
   pqTFCChartWidget(QWidget* parent = nullptr);
   ~pqTFCChartWidget() override;
 
   vtkTFCDomainChart* chart() const;
+
+  QString view() const;
+  QString look() const;
+  /// Counts the different pictures that were asked for, as pqTFCPanel::stateNumber() does states.
+  int pictureNumber();
 
   /// Draw soon; many calls in one round of the event loop draw once.
   void renderLater();
@@ -59,6 +73,7 @@ private:
   vtkNew<vtkContextView> View;
   vtkNew<vtkEventQtSlotConnect> Events;
   bool RenderPending = false;
+  QVector<QImage> Pictures; ///< in the order of pictureNumber()
 };
 
 #endif

@@ -194,6 +194,13 @@ void pqTFCDocument::collectAttributes()
         QString(array->GetName()).startsWith("vtk") || array->GetDataType() == VTK_STRING ||
         !names.insert(array->GetName()).second)
       {
+        if (association == vtkDataObject::CELL && array->GetName())
+        {
+          for (pqTFCAttribute& attribute : attributes)
+          {
+            attribute.OnCells = attribute.OnCells || attribute.Array == array->GetName();
+          }
+        }
         continue;
       }
       for (int c = components > 1 ? -1 : 0; c < components; ++c)
@@ -214,6 +221,8 @@ void pqTFCDocument::collectAttributes()
         {
           attribute.Label += tr(" (cells)");
         }
+        attribute.OnPoints = association == vtkDataObject::POINT;
+        attribute.OnCells = association == vtkDataObject::CELL;
         array->GetComponentFiniteRange(c, attribute.Range);
         attribute.Integral =
           c >= 0 && array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
@@ -224,6 +233,7 @@ void pqTFCDocument::collectAttributes()
   const auto same = [](const pqTFCAttribute& a, const pqTFCAttribute& b)
   {
     return a.Array == b.Array && a.Component == b.Component && a.Label == b.Label &&
+      a.OnPoints == b.OnPoints && a.OnCells == b.OnCells &&
       std::equal(a.Range, a.Range + 2, b.Range);
   };
   if (!std::equal(attributes.begin(), attributes.end(), this->Attributes.begin(),
@@ -367,14 +377,21 @@ pqTFCAxis pqTFCDocument::axis(int index, const double ranges[4]) const
 bool pqTFCDocument::histogramAxes(vtkTFCRegion* region, std::vector<pqTFCAxis>& axes) const
 {
   double ranges[4];
-  const auto known = [this](const std::string& array, int component)
-  { return this->findAttribute(array, component) != nullptr; };
+  bool onPoints = true;
+  bool onCells = true;
+  const auto isKnown = [&](const std::string& array, int component)
+  {
+    const pqTFCAttribute* attribute = this->findAttribute(array, component);
+    onPoints = onPoints && attribute && attribute->OnPoints;
+    onCells = onCells && attribute && attribute->OnCells;
+    return onPoints || onCells;
+  };
   if (!this->axisRanges(ranges) ||
-    !known(this->Model->GetAxisArray(0), this->Model->GetAxisComponent(0)) ||
-    !known(this->Model->GetAxisArray(1), this->Model->GetAxisComponent(1)) ||
+    !isKnown(this->Model->GetAxisArray(0), this->Model->GetAxisComponent(0)) ||
+    !isKnown(this->Model->GetAxisArray(1), this->Model->GetAxisComponent(1)) ||
     (region &&
       (!region->HasTertiary() ||
-        !known(region->GetTertiaryArray(), region->GetTertiaryComponent()))))
+        !isKnown(region->GetTertiaryArray(), region->GetTertiaryComponent()))))
   {
     return false;
   }
@@ -408,6 +425,13 @@ bool pqTFCDocument::isStale(vtkTFCRegion* region) const
 {
   std::vector<pqTFCAxis> axes;
   return this->histogramAxes(region, axes) && this->Cache.isWanted(axes);
+}
+
+//-----------------------------------------------------------------------------
+bool pqTFCDocument::hasArrays(vtkTFCRegion* region) const
+{
+  std::vector<pqTFCAxis> axes;
+  return this->histogramAxes(region, axes);
 }
 
 //-----------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include <QObject>
 #include <QString>
 
+#include "pqTFCAttribute.h"
 #include "pqTFCHistogramCache.h"
 #include "pqTFCStateLink.h"
 #include "vtkNew.h"
@@ -26,16 +27,6 @@
 class vtkEventQtSlotConnect;
 class vtkTFCRegion;
 class vtkTFCTransferFunction;
-
-/// Something that can be an axis: a component of an array, or its magnitude (-1).
-struct pqTFCAttribute
-{
-  std::string Array;
-  int Component = 0;
-  QString Label;
-  double Range[2] = { 0, 1 }; ///< finite extent over all processes
-  bool Integral = false;      ///< an array of integers
-};
 
 class pqTFCDocument : public QObject
 {
@@ -102,6 +93,8 @@ public:
   std::vector<double> quantiles(const pqTFCAttribute& attribute, int number);
   /// Whether plane(), or joint() of a region, was requested and is still to come.
   bool isStale(vtkTFCRegion* region) const;
+  /// Whether the data have the arrays for it, all of points or all of cells.
+  bool hasArrays(vtkTFCRegion* region) const;
   bool isFetching() const { return this->Cache.isFetching(); }
   void fetchNow() { this->Cache.fetchNow(); }
   ///@}

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTFCMessageBar.h"
 
+#include "pqCoreUtilities.h"
 #include "pqTFCAttributeFilter.h"
+#include "pqTFCDataProblem.h"
 #include "pqTFCDocument.h"
+#include "pqTFCMapDialog.h"
 #include "vtkTFCTransferFunction.h"
 
 #include <QHBoxLayout>
@@ -39,6 +42,7 @@ pqTFCMessageBar::pqTFCMessageBar(pqTFCDocument* document, QWidget* parentObject)
       this->refresh();
     });
   QObject::connect(document, &pqTFCDocument::targetChanged, this, &pqTFCMessageBar::refresh);
+  QObject::connect(document, &pqTFCDocument::attributesChanged, this, &pqTFCMessageBar::refresh);
   QObject::connect(document, &pqTFCDocument::said, this, &pqTFCMessageBar::say);
   this->refresh();
 }
@@ -65,6 +69,7 @@ void pqTFCMessageBar::refresh()
 {
   QString text;
   QString button;
+  this->Problem = pqTFCDataProblem::find(this->Document);
   switch (this->Document->link()->situation())
   {
     case pqTFCStateLink::NoData:
@@ -90,7 +95,14 @@ void pqTFCMessageBar::refresh()
       button = tr("Show as Combined Volume");
       break;
     case pqTFCStateLink::Ready:
-      if (this->isDiagonal())
+      if (!this->Problem.Text.isEmpty())
+      {
+        text = this->Problem.Text;
+        button = this->Problem.Kind == pqTFCDataProblem::Missing ? tr("Replace Arrays ...")
+          : this->Problem.Kind == pqTFCDataProblem::Mixed        ? tr("Cell Data to Point Data")
+                                                                 : QString();
+      }
+      else if (this->isDiagonal())
       {
         text = tr("Both axes show the same. A second attribute tells materials from boundaries:");
         button = tr("Compute Gradient Magnitude");
@@ -130,6 +142,16 @@ void pqTFCMessageBar::act()
       pqTFCAttributeFilter::resampleToImage();
       break;
     default:
+      if (this->Problem.Kind == pqTFCDataProblem::Missing)
+      {
+        this->replaceArrays();
+        break;
+      }
+      if (this->Problem.Kind == pqTFCDataProblem::Mixed)
+      {
+        pqTFCAttributeFilter::cellsToPoints(this->Document);
+        break;
+      }
       if (this->isDiagonal())
       {
         pqTFCAttributeFilter::computeGradient(this->Document);
@@ -141,6 +163,19 @@ void pqTFCMessageBar::act()
           this->Document->model()->RemoveAllRegions();
           this->Document->model()->SetProposal(false);
         });
+  }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCMessageBar::replaceArrays()
+{
+  vtkNew<vtkTFCTransferFunction> model;
+  model->SetState(this->Document->state().toUtf8().constData());
+  pqTFCMapDialog dialog(this->Document, model, pqCoreUtilities::mainWidget());
+  if (dialog.isNeeded() && dialog.exec() == QDialog::Accepted)
+  {
+    dialog.apply();
+    this->Document->replace(tr("Replace arrays"), QString::fromStdString(model->GetState()));
   }
 }
 

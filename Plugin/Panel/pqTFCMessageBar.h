@@ -12,6 +12,8 @@
 #include <QString>
 #include <QWidget>
 
+#include "pqTFCDataProblem.h"
+
 class QLabel;
 class QPushButton;
 class pqTFCDocument;
@@ -38,11 +40,14 @@ private:
 
   /// Both axes are the same attribute.
   bool isDiagonal() const;
+  /// Ask which arrays stand for those that the data lack.
+  void replaceArrays();
 
   pqTFCDocument* Document;
   QLabel* Message;
   QPushButton* MessageButton;
   QString Said; ///< until the next edit
+  pqTFCDataProblem Problem;
 };
 
 #endif

@@ -19,6 +19,7 @@
 #include "pqTFCToolBar.h"
 #include "vtkTFCDomainChart.h"
 #include "vtkTFCHistogramItem.h"
+#include "vtkTFCPolygonShape.h"
 #include "vtkTFCRegion.h"
 #include "vtkTFCShape.h"
 #include "vtkTFCSparseHistogram.h"
@@ -226,6 +227,14 @@ QString pqTFCPanel::selectedShape() const
 }
 
 //-----------------------------------------------------------------------------
+int pqTFCPanel::selectedCorners() const
+{
+  vtkTFCRegion* region = this->Document->activeRegion();
+  auto* polygon = region ? vtkTFCPolygonShape::SafeDownCast(region->GetShape()) : nullptr;
+  return polygon ? polygon->GetNumberOfPoints() : 0;
+}
+
+//-----------------------------------------------------------------------------
 int pqTFCPanel::voxelsInPlane()
 {
   this->Document->plane();
@@ -361,7 +370,7 @@ void pqTFCPanel::updateChart()
   }
   else if (ready && !plane)
   {
-    note = tr("No such array in the data");
+    note = tr("No histogram of these arrays");
   }
   this->StaleNotes += isWanted && plane && !this->StaleShown ? 1 : 0;
   this->StaleShown = isWanted && plane;

@@ -39,6 +39,7 @@ class pqTFCPanel : public QDockWidget
   Q_PROPERTY(QString message READ message)
   Q_PROPERTY(int regions READ regions)
   Q_PROPERTY(QString selectedShape READ selectedShape)
+  Q_PROPERTY(int selectedCorners READ selectedCorners)
   Q_PROPERTY(int voxelsInPlane READ voxelsInPlane)
   Q_PROPERTY(int voxelsInRegion READ voxelsInRegion)
   Q_PROPERTY(double millisecondsPerEvent READ millisecondsPerEvent)
@@ -59,6 +60,8 @@ public:
   QString message() const;
   int regions() const;
   QString selectedShape() const;
+  /// Of a polygon; 0 for all else.
+  int selectedCorners() const;
   int voxelsInPlane();
   int voxelsInRegion() const;
   /// Of the last drag, see pqTFCDocument.

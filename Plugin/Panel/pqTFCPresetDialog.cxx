@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTFCPresetDialog.h"
 
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -165,7 +166,8 @@ void pqTFCPresetDialog::onSelection()
   {
     this->say(preset->Problem.isEmpty()
         ? QString()
-        : tr("%1 cannot be read. %2").arg(preset->Name, preset->Problem));
+        : tr("%1 cannot be read. %2 Correct the file %3, or delete the preset.")
+            .arg(preset->Name, preset->Problem, QFileInfo(preset->Path).fileName()));
   }
 }
 

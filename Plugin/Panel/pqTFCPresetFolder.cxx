@@ -29,6 +29,12 @@ QString tr(const char* text)
 {
   return QCoreApplication::translate("pqTFCPresetFolder", text);
 }
+
+QString Sentence(const std::string& error)
+{
+  const QString text = QString::fromStdString(error).trimmed();
+  return text.endsWith('.') ? text : text + '.';
+}
 }
 
 //-----------------------------------------------------------------------------
@@ -59,7 +65,7 @@ QString pqTFCPresetFolder::read(const QString& path, vtkTFCTransferFunction* mod
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
   {
-    return file.errorString();
+    return Sentence(file.errorString().toStdString());
   }
   if (file.size() > LARGEST_FILE)
   {
@@ -76,8 +82,7 @@ QString pqTFCPresetFolder::read(const QString& path, vtkTFCTransferFunction* mod
   {
     return QString();
   }
-  return text.trimmed().isEmpty() ? tr("It is empty.")
-                                  : QString::fromStdString(model->GetLastError());
+  return text.trimmed().isEmpty() ? tr("It is empty.") : Sentence(model->GetLastError());
 }
 
 //-----------------------------------------------------------------------------

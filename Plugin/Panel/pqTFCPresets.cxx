@@ -87,7 +87,9 @@ bool pqTFCPresets::open(const QString& path)
   const QString problem = pqTFCPresetFolder::read(path, model);
   if (!problem.isEmpty())
   {
-    this->Document->say(tr("%1 cannot be read. %2").arg(QFileInfo(path).fileName(), problem));
+    this->Document->say(tr("%1 cannot be read. %2 Nothing was changed: correct the file, or choose "
+                           "another one.")
+                          .arg(QFileInfo(path).fileName(), problem));
     return false;
   }
   pqTFCMapDialog dialog(this->Document, model, pqCoreUtilities::mainWidget());

@@ -82,7 +82,8 @@ bool pqTFCProposal::proposeAxes()
   const pqTFCAttribute* secondary = this->Document->findAttribute(primary->Array + "_gradient", 0);
   for (const pqTFCAttribute& attribute : attributes)
   {
-    if (!secondary && usable(attribute) && attribute.Array != primary->Array)
+    if (!secondary && usable(attribute) && attribute.Array != primary->Array &&
+      attribute.goesWith(*primary))
     {
       secondary = &attribute;
     }

@@ -18,10 +18,12 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QRegularExpression>
 #include <QSignalBlocker>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -50,6 +52,13 @@ void MakeColorNodes(vtkColorTransferFunction* function, vtkDoubleArray* nodes)
     function->GetNodeValue(i, node);
     nodes->InsertNextTuple(node);
   }
+}
+
+bool AreSame(vtkDoubleArray* a, vtkDoubleArray* b)
+{
+  const vtkIdType size = a->GetNumberOfValues();
+  return size == b->GetNumberOfValues() &&
+    std::equal(a->GetPointer(0), a->GetPointer(0) + size, b->GetPointer(0));
 }
 }
 
@@ -149,6 +158,7 @@ void pqTFCTertiaryEditor::refresh()
   this->Functions->setVisible(hasTertiary);
   this->UseColors->setVisible(hasTertiary);
   this->Total = -1;
+  this->Histogram = nullptr;
   if (hasTertiary)
   {
     // Not while a point of the function itself is dragged: that would let go of it.
@@ -173,48 +183,54 @@ void pqTFCTertiaryEditor::showFunctions(vtkTFCRegion* region)
   region->GetTertiaryOpacityNodes(opacities);
   region->GetTertiaryColorNodes(colors);
 
-  QStringList points;
-  std::vector<double> shown = { range[0], range[1], color[0], color[1], color[2] };
-  for (vtkIdType i = 0; i < opacities->GetNumberOfTuples(); ++i)
-  {
-    const double* node = opacities->GetTuple2(i);
-    shown.insert(shown.end(), node, node + 2);
-    points << QString::number(node[0], 'g', 6) + " " + QString::number(node[1], 'g', 4);
-  }
-  shown.push_back(-1);
-  for (vtkIdType i = 0; i < colors->GetNumberOfValues(); ++i)
-  {
-    shown.push_back(colors->GetValue(i));
-  }
-  if (shown == this->Shown)
-  {
-    return;
-  }
-  this->Shown = shown;
-
   // Nodes at both ends, where the function goes on level, so that the chart shows all of the range.
-  vtkPiecewiseFunction* opacity = this->OpacityFunction;
-  opacity->RemoveAllPoints();
-  opacity->SetAllowDuplicateScalars(true);
+  QStringList points;
+  vtkNew<vtkDoubleArray> wanted;
+  wanted->SetNumberOfComponents(2);
   const vtkIdType last = opacities->GetNumberOfTuples() - 1;
   if (last >= 0 && opacities->GetComponent(0, 0) > range[0])
   {
-    opacity->AddPoint(range[0], opacities->GetComponent(0, 1));
+    wanted->InsertNextTuple2(range[0], opacities->GetComponent(0, 1));
   }
   for (vtkIdType i = 0; i <= last; ++i)
   {
-    opacity->AddPoint(opacities->GetComponent(i, 0), opacities->GetComponent(i, 1));
+    const double* node = opacities->GetTuple2(i);
+    wanted->InsertNextTuple(node);
+    points << QString::number(node[0], 'g', 6) + " " + QString::number(node[1], 'g', 4);
   }
   if (last >= 0 && opacities->GetComponent(last, 0) < range[1])
   {
-    opacity->AddPoint(range[1], opacities->GetComponent(last, 1));
+    wanted->InsertNextTuple2(range[1], opacities->GetComponent(last, 1));
+  }
+  this->Points->show(points.join("; "), false);
+
+  // What ParaView's widget made itself stays, and with it the point that is selected there.
+  const bool hasColors = colors->GetNumberOfTuples() > 0;
+  const std::vector<double> base = { static_cast<double>(region->GetId()), range[0], range[1],
+    color[0], color[1], color[2], static_cast<double>(hasColors) };
+  vtkNew<vtkDoubleArray> opacityNodes;
+  vtkNew<vtkDoubleArray> colorNodes;
+  MakeOpacityNodes(this->OpacityFunction, opacityNodes);
+  MakeColorNodes(this->ColorFunction, colorNodes);
+  if (base == this->Shown && AreSame(wanted, opacityNodes) &&
+    (!hasColors || AreSame(colors, colorNodes)))
+  {
+    return;
+  }
+  this->Shown = base;
+
+  vtkPiecewiseFunction* opacity = this->OpacityFunction;
+  opacity->RemoveAllPoints();
+  opacity->SetAllowDuplicateScalars(true);
+  for (vtkIdType i = 0; i < wanted->GetNumberOfTuples(); ++i)
+  {
+    opacity->AddPoint(wanted->GetComponent(i, 0), wanted->GetComponent(i, 1));
   }
   const double* extent = opacity->GetRange();
 
   this->RegionColor->RemoveAllPoints();
   this->RegionColor->AddRGBPoint(extent[0], color[0], color[1], color[2]);
   this->RegionColor->AddRGBPoint(extent[1], color[0], color[1], color[2]);
-  const bool hasColors = colors->GetNumberOfTuples() > 0;
   this->ColorFunction->RemoveAllPoints();
   for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
   {
@@ -231,7 +247,6 @@ void pqTFCTertiaryEditor::showFunctions(vtkTFCRegion* region)
   this->UseColors->setChecked(hasColors);
   this->Ends[0]->setText(QString::number(extent[0], 'g', 5));
   this->Ends[1]->setText(QString::number(extent[1], 'g', 5));
-  this->Points->show(points.join("; "), false);
   this->followPalette();
 }
 
@@ -263,19 +278,34 @@ QString pqTFCTertiaryEditor::colors() const
 }
 
 //-----------------------------------------------------------------------------
+QString pqTFCTertiaryEditor::histogram() const
+{
+  const vtkIdType bins = this->Histogram ? this->Histogram->GetNumberOfRows() : 0;
+  QStringList numbers;
+  for (vtkIdType i = 0; i < bins; ++i)
+  {
+    numbers << QString::number(this->Histogram->GetValue(i, 0).ToDouble(), 'g', 17)
+            << QString::number(this->Histogram->GetValue(i, 1).ToDouble(), 'g', 17);
+  }
+  return numbers.join(' ');
+}
+
+//-----------------------------------------------------------------------------
 void pqTFCTertiaryEditor::showHistogram(vtkTFCRegion* region)
 {
   std::vector<double> counts;
   double range[2];
   if (!this->Document->conditional(region, counts, range))
   {
-    this->Caption->setText(tr("histogram follows ..."));
+    this->Caption->setText(this->Document->hasArrays(region) ? tr("histogram follows ...")
+                                                             : tr("no histogram of this array"));
+    this->Histogram = nullptr;
     this->Opacity->setHistogramTable(nullptr);
     return;
   }
   this->Total = std::accumulate(counts.begin(), counts.end(), 0.0);
   // Column 0 must be a vtkDoubleArray (vtkScalarsToColorsItem.cxx:236 of VTK 9.2).
-  vtkNew<vtkTable> table;
+  auto table = vtkSmartPointer<vtkTable>::New();
   vtkNew<vtkDoubleArray> centers;
   vtkNew<vtkDoubleArray> values;
   centers->SetName("bin_extents");
@@ -288,6 +318,7 @@ void pqTFCTertiaryEditor::showHistogram(vtkTFCRegion* region)
   }
   table->AddColumn(centers);
   table->AddColumn(values);
+  this->Histogram = table;
   this->Opacity->setHistogramTable(table);
   const QString voxels = tr("%L1 voxels").arg(std::round(this->Total), 0, 'f', 0);
   this->Caption->setText(
@@ -319,19 +350,49 @@ void pqTFCTertiaryEditor::onPointsModified()
   {
     return;
   }
+  if (this->Pressed)
+  {
+    this->writeLive(region);
+    return;
+  }
+  // By a key: ParaView's widget is in the middle of its change and must not get new functions yet.
+  const int id = region->GetId();
+  QMetaObject::invokeMethod(
+    this,
+    [this, id]()
+    {
+      vtkTFCRegion* active = this->Document->activeRegion();
+      if (active && active->GetId() == id && active->HasTertiary())
+      {
+        this->writeLive(active);
+        this->Document->commit(tr("Change tertiary function"));
+      }
+    },
+    Qt::QueuedConnection);
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::writeLive(vtkTFCRegion* region)
+{
   this->Document->begin();
   this->Document->model()->SetProposal(false);
   this->write(region);
   this->Document->live();
-  if (!this->Pressed)
-  {
-    this->Document->commit(tr("Change tertiary function"));
-  }
 }
 
 //-----------------------------------------------------------------------------
 bool pqTFCTertiaryEditor::eventFilter(QObject* watched, QEvent* e)
 {
+  if (e->type() == QEvent::KeyPress)
+  {
+    // VTK reports an error when there is no point to remove.
+    const int key = static_cast<QKeyEvent*>(e)->key();
+    auto* widget = qobject_cast<pqTransferFunctionWidget*>(watched->parent());
+    if ((key == Qt::Key_Delete || key == Qt::Key_Backspace) && widget && widget->currentPoint() < 0)
+    {
+      return true;
+    }
+  }
   if (e->type() == QEvent::MouseButtonPress || e->type() == QEvent::MouseButtonDblClick)
   {
     this->Pressed = true;

@@ -16,6 +16,7 @@
 #include <QWidget>
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <vector>
 
@@ -29,6 +30,7 @@ class pqTransferFunctionWidget;
 class vtkColorTransferFunction;
 class vtkPiecewiseFunction;
 class vtkTFCRegion;
+class vtkTable;
 
 class pqTFCTertiaryEditor : public QWidget
 {
@@ -37,6 +39,8 @@ class pqTFCTertiaryEditor : public QWidget
 
   /// For tests: ground and curve of the opacity as they are drawn.
   Q_PROPERTY(QString colors READ colors)
+  /// And the histogram: middle and count of each bin.
+  Q_PROPERTY(QString histogram READ histogram)
 
 public:
   pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* advice, QWidget* parent = nullptr);
@@ -47,6 +51,7 @@ public:
 
   pqTransferFunctionWidget* opacityWidget() const { return this->Opacity; }
   QString colors() const;
+  QString histogram() const;
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -64,6 +69,7 @@ private:
   void showFunctions(vtkTFCRegion* region);
   void showHistogram(vtkTFCRegion* region);
   void write(vtkTFCRegion* region);
+  void writeLive(vtkTFCRegion* region);
   void followPalette();
 
   pqTFCDocument* Document;
@@ -78,8 +84,9 @@ private:
   vtkNew<vtkPiecewiseFunction> OpacityFunction;
   vtkNew<vtkColorTransferFunction> ColorFunction; ///< of the region, when it has one
   vtkNew<vtkColorTransferFunction> RegionColor;   ///< constant, for the histogram
-  std::vector<double> Shown;                      ///< what the functions were made from
+  std::vector<double> Shown;                      ///< what they were made from beside nodes
   double Total = -1;
+  vtkSmartPointer<vtkTable> Histogram; ///< that is shown
   bool Refreshing = false;
   bool Pressed = false; ///< a mouse button is down in one of the functions
 };

@@ -7,8 +7,9 @@
 one.vti: a, b, d = index of the column, the row, the slice. square.vti: c = square of the column,
 and b and d. wide.vti: a = 10 times the column + 5, and b and d. plain.tfc.json: made for x, y and z
 of one.vti's values, without quantiles; its region holds 3 columns, 3 rows and all slices.
-empty.tfc.json: nothing. advice.vti: see below. In FOLDER/home is a user's folder of settings with
-one preset, of a version to come.
+empty.tfc.json: nothing; comma.tfc.json: a comma too many in line 2, field.tfc.json: a radius below
+0, picture.tfc.json: bytes that are no text. advice.vti: see below. In FOLDER/home is a user's
+folder of settings with one preset, of a version to come.
 """
 import json
 import os
@@ -53,6 +54,15 @@ def main():
     with open(os.path.join(folder, "plain.tfc.json"), "w", encoding="ascii") as file:
         json.dump(PLAIN, file)
     open(os.path.join(folder, "empty.tfc.json"), "w", encoding="ascii").close()
+    with open(os.path.join(folder, "comma.tfc.json"), "w", encoding="ascii") as file:
+        file.write('{"format": "transfer-function-combination",\n "version": 1,,\n'
+                   ' "regions": []}\n')
+    region = dict(PLAIN["regions"][0], shape={"type": "ellipse", "center": [3, 3],
+                                              "radii": [1, -1]})
+    with open(os.path.join(folder, "field.tfc.json"), "w", encoding="ascii") as file:
+        json.dump(dict(PLAIN, regions=[region]), file)
+    with open(os.path.join(folder, "picture.tfc.json"), "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n\x00\x00\xff\xfe")
     home = os.path.join(folder, "home")
     shutil.rmtree(home, ignore_errors=True)
     presets = os.path.join(home, ".config", "ParaView", "CombinedTransferFunctions")
