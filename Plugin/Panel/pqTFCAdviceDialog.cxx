@@ -184,7 +184,8 @@ void pqTFCAdviceDialog::useTertiary(int row)
     this->Document->findAttribute(candidate.Array, candidate.Component);
   if (attribute)
   {
-    this->Document->setTertiary(static_cast<int>(attribute - this->Document->attributes().data()));
+    this->Document->setTertiary(region,
+      static_cast<int>(attribute - this->Document->attributes().data()));
   }
 }
 

@@ -60,7 +60,7 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
   this->Chart = new pqTFCChartWidget(contents);
   this->Status = new QLabel(contents);
   this->Status->setObjectName("Status");
-  auto* list = new pqTFCRegionList(this->Document, contents);
+  auto* list = new pqTFCRegionList(this->Document, this->Advice, contents);
   auto* form = new pqTFCRegionForm(this->Document, contents);
   this->Tertiary = new pqTFCTertiaryEditor(this->Document, this->Advice, contents);
 

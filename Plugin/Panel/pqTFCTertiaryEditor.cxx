@@ -3,8 +3,8 @@
 #include "pqTFCTertiaryEditor.h"
 
 #include "pqTFCDocument.h"
-#include "pqTFCField.h"
 #include "pqTFCFunctionLook.h"
+#include "pqTFCPointsField.h"
 #include "pqTFCTertiaryBox.h"
 #include "pqTransferFunctionWidget.h"
 #include "vtkColorTransferFunction.h"
@@ -19,7 +19,6 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QRegularExpression>
 #include <QSignalBlocker>
 
 #include <cmath>
@@ -91,17 +90,15 @@ pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* a
   this->Caption = new QLabel(this->Functions);
   this->Caption->setAlignment(Qt::AlignCenter);
   this->Caption->setObjectName("Caption");
-  this->Points = new pqTFCField(this->Functions);
-  this->Points->setObjectName("Points");
-  this->Points->setAccessibleName(tr("Points of the opacity: value and opacity"));
-  this->Points->setToolTip(tr("Value opacity; value opacity; ... with increasing values in data "
-                              "units and opacities from 0 to 1"));
   stack->addWidget(this->Opacity, 0, 0, 1, 3);
   stack->addWidget(this->Colors, 1, 0, 1, 3);
   stack->addWidget(this->Ends[0], 2, 0);
   stack->addWidget(this->Caption, 2, 1);
   stack->addWidget(this->Ends[1], 2, 2);
-  stack->addWidget(this->Points, 3, 0, 1, 3);
+  stack->addWidget(new pqTFCPointsField(document, pqTFCPointsField::Opacities, this->Functions), 3,
+    0, 1, 3);
+  stack->addWidget(new pqTFCPointsField(document, pqTFCPointsField::Colors, this->Functions), 4, 0,
+    1, 3);
   stack->setRowStretch(0, 1);
   stack->setColumnStretch(1, 1);
 
@@ -122,10 +119,8 @@ pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* a
       &pqTFCTertiaryEditor::onPointsModified);
   }
   QObject::connect(this->Attribute, &pqTFCTertiaryBox::chosen, document,
-    &pqTFCDocument::setTertiary);
+    [document](int attribute) { document->setTertiary(document->activeRegion(), attribute); });
   QObject::connect(this->UseColors, &QCheckBox::toggled, this, &pqTFCTertiaryEditor::onUseColors);
-  QObject::connect(this->Points, &pqTFCField::editingFinished, this,
-    &pqTFCTertiaryEditor::onPointsTyped);
   QObject::connect(document, &pqTFCDocument::attributesChanged, this,
     &pqTFCTertiaryEditor::refresh);
   QObject::connect(document, &pqTFCDocument::changed, this, &pqTFCTertiaryEditor::refresh);
@@ -173,13 +168,11 @@ void pqTFCTertiaryEditor::showFunctions(vtkTFCRegion* region)
   region->GetTertiaryOpacityNodes(opacities);
   region->GetTertiaryColorNodes(colors);
 
-  QStringList points;
   std::vector<double> shown = { range[0], range[1], color[0], color[1], color[2] };
   for (vtkIdType i = 0; i < opacities->GetNumberOfTuples(); ++i)
   {
     const double* node = opacities->GetTuple2(i);
     shown.insert(shown.end(), node, node + 2);
-    points << QString::number(node[0], 'g', 6) + " " + QString::number(node[1], 'g', 4);
   }
   shown.push_back(-1);
   for (vtkIdType i = 0; i < colors->GetNumberOfValues(); ++i)
@@ -216,6 +209,7 @@ void pqTFCTertiaryEditor::showFunctions(vtkTFCRegion* region)
   this->RegionColor->AddRGBPoint(extent[1], color[0], color[1], color[2]);
   const bool hasColors = colors->GetNumberOfTuples() > 0;
   this->ColorFunction->RemoveAllPoints();
+  this->ColorFunction->SetAllowDuplicateScalars(true);
   for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
   {
     const double* c = colors->GetTuple4(i);
@@ -231,7 +225,6 @@ void pqTFCTertiaryEditor::showFunctions(vtkTFCRegion* region)
   this->UseColors->setChecked(hasColors);
   this->Ends[0]->setText(QString::number(extent[0], 'g', 5));
   this->Ends[1]->setText(QString::number(extent[1], 'g', 5));
-  this->Points->show(points.join("; "), false);
   this->followPalette();
 }
 
@@ -352,54 +345,6 @@ bool pqTFCTertiaryEditor::eventFilter(QObject* watched, QEvent* e)
       Qt::QueuedConnection);
   }
   return this->Superclass::eventFilter(watched, e);
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCTertiaryEditor::onPointsTyped()
-{
-  vtkTFCRegion* region = this->Document->activeRegion();
-  if (!this->Points->typed() || !region || !region->HasTertiary())
-  {
-    return;
-  }
-  static const QRegularExpression separators("[\\s,;:()\\[\\]]+");
-  vtkNew<vtkDoubleArray> nodes;
-  nodes->SetNumberOfComponents(2);
-  std::vector<double> numbers;
-  bool valid = true;
-  for (const QString& word : this->Points->text().split(separators, Qt::SkipEmptyParts))
-  {
-    bool isNumber = false;
-    numbers.push_back(word.toDouble(&isNumber));
-    valid = valid && isNumber && std::isfinite(numbers.back());
-  }
-  valid = valid && !numbers.empty() && numbers.size() % 2 == 0;
-  for (size_t i = 0; valid && i < numbers.size(); i += 2)
-  {
-    const bool increasing = i == 0 || numbers[i] > numbers[i - 2] ||
-      (numbers[i] == numbers[i - 2] && (i < 4 || numbers[i] > numbers[i - 4]));
-    valid = increasing && numbers[i + 1] >= 0 && numbers[i + 1] <= 1;
-    nodes->InsertNextTuple2(numbers[i], numbers[i + 1]);
-  }
-  if (!valid)
-  {
-    this->Document->say(tr(
-      "Expected pairs of numbers, value and opacity: values increasing, opacities from 0 to 1."));
-    this->Points->show(QString(), true);
-    this->Shown.clear();
-    this->refresh();
-    return;
-  }
-  this->Points->accept();
-  vtkNew<vtkDoubleArray> colors;
-  region->GetTertiaryColorNodes(colors);
-  const std::string array = region->GetTertiaryArray();
-  this->Document->edit(tr("Change tertiary function"),
-    [&]()
-    {
-      region->SetTertiary(array.c_str(), region->GetTertiaryComponent(), nodes,
-        colors->GetNumberOfTuples() > 0 ? colors.Get() : nullptr);
-    });
 }
 
 //-----------------------------------------------------------------------------
