@@ -302,6 +302,7 @@ void pqTFCAdviceDialog::fillSplits()
     this->Splits->setItem(row, 1, Cell(split.Power));
     this->Splits->setItem(row, 2, Cell(split.Cut));
     this->Splits->setItem(row, 3, Cell(QString("%1 %").arg(100 * split.Below, 0, 'f', 0)));
+    this->Splits->item(row, 3)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     for (const bool above : { false, true })
     {
       const int column = above ? 5 : 4;

@@ -34,8 +34,8 @@ void pqTFCFollowPalette(QWidget* widget, const QPalette& palette)
   {
     return;
   }
-  const QColor ground = palette.color(QPalette::Base);
-  const QColor ink = palette.color(QPalette::Text);
+  const QColor& ground = palette.color(QPalette::Base);
+  const QColor& ink = palette.color(QPalette::Text);
   renderer->SetBackground(ground.redF(), ground.greenF(), ground.blueF());
   chart->GetBackgroundBrush()->SetColorF(ground.redF(), ground.greenF(), ground.blueF(),
     chart->GetBackgroundBrush()->GetOpacity() / 255.0);

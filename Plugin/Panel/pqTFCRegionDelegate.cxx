@@ -17,7 +17,7 @@
 
 namespace
 {
-constexpr int LONGEST = 22; // characters
+constexpr int LONGEST = 30; // characters
 }
 
 //-----------------------------------------------------------------------------

@@ -85,6 +85,17 @@ bool pqTFCRegionList::eventFilter(QObject* watched, QEvent* e)
   else if (watched == this->List->viewport() && e->type() == QEvent::Resize)
   {
     this->Columns->fit();
+    // When the scroll bars know about it.
+    QMetaObject::invokeMethod(
+      this,
+      [this]()
+      {
+        if (this->Document->activeRegion())
+        {
+          this->List->scrollTo(this->List->currentIndex());
+        }
+      },
+      Qt::QueuedConnection);
   }
   else if (watched == this->List && e->type() == QEvent::KeyPress)
   {

@@ -67,6 +67,8 @@ pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* a
   auto* label = new QLabel(tr("&Tertiary"), this);
   this->Attribute = new pqTFCTertiaryBox(document, advice, this);
   label->setBuddy(this->Attribute);
+  // Its own hint cuts the last letter where a pixel of the screen is less than one of Qt's.
+  label->setMinimumWidth(this->fontMetrics().horizontalAdvance(tr("Tertiary")) + 4);
   this->UseColors = new QCheckBox(tr("Co&lours"), this);
   this->UseColors->setObjectName("UseColors");
   this->UseColors->setToolTip(tr("Colour the region by its tertiary attribute"));
