@@ -118,7 +118,7 @@ bool vtkTFCNeighborhoodMean::RunBall(const tfc::BallKernel& kernel, float* out) 
   ball.GetLengths(lengths);
   const auto response = kernel.template GetSpectrum<Real>(lengths, ball.GetScale(),
     [](tfc::Index count, auto&& body)
-    { vtkTFCThreads::For(0, count, 16, vtkTFCSimd::Vectorize(body)); });
+    { vtkTFCThreads::For(0, count, 1 + count / 64, vtkTFCSimd::Vectorize(body)); });
   const vtkIdType floats = masked ? 2 : 1;
   const auto buffer = vtkTFCLargeBuffer::Allocate(ball.GetSize() * floats);
   // A double buffer in memory that was asked for as floats: nothing is read before it is written.

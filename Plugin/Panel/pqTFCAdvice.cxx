@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -49,6 +50,7 @@ pqTFCAdvice::pqTFCAdvice(pqTFCDocument* document, QObject* parentObject)
 {
   QObject::connect(document, &pqTFCDocument::attributesChanged, this, &pqTFCAdvice::forget);
   QObject::connect(document, &pqTFCDocument::targetChanged, this, &pqTFCAdvice::forget);
+  QObject::connect(document->link(), &pqTFCStateLink::dataChanged, this, &pqTFCAdvice::forget);
 }
 
 //-----------------------------------------------------------------------------
@@ -59,29 +61,46 @@ void pqTFCAdvice::forget()
 {
   this->Candidates.clear();
   this->CandidatesAxes.clear();
+  this->Pairs.clear();
+  this->HasPairs = false;
+  this->releaseSplits();
 }
 
 //-----------------------------------------------------------------------------
-vtkSmartPointer<vtkTFCTableInformation> pqTFCAdvice::run(const char* name,
-  const std::function<void(vtkSMProxy*)>& prepare, vtkTFCTableInformation* second)
+void pqTFCAdvice::releaseSplits()
+{
+  this->Splits.clear();
+  this->SplitsState.clear();
+  if (this->SplitFilter)
+  {
+    SCOPED_UNDO_EXCLUDE();
+    this->SplitFilter = nullptr;
+  }
+}
+
+//-----------------------------------------------------------------------------
+vtkSmartPointer<vtkSMSourceProxy> pqTFCAdvice::makeFilter(const char* name) const
+{
+  vtkSmartPointer<vtkSMSourceProxy> filter;
+  if (pqOutputPort* port = this->Document->link()->input())
+  {
+    filter.TakeReference(
+      vtkSMSourceProxy::SafeDownCast(port->getServer()->proxyManager()->NewProxy("filters", name)));
+    if (filter)
+    {
+      vtkSMPropertyHelper(filter, "Input")
+        .Set(port->getSource()->getProxy(), port->getPortNumber());
+    }
+  }
+  return filter;
+}
+
+//-----------------------------------------------------------------------------
+vtkSmartPointer<vtkTFCTableInformation> pqTFCAdvice::gather(vtkSMSourceProxy* filter,
+  vtkTFCTableInformation* second) const
 {
   auto table = vtkSmartPointer<vtkTFCTableInformation>::New();
-  pqOutputPort* port = this->Document->link()->input();
-  if (!port)
-  {
-    return table;
-  }
-  SCOPED_UNDO_EXCLUDE();
-  vtkSmartPointer<vtkSMSourceProxy> filter;
-  filter.TakeReference(
-    vtkSMSourceProxy::SafeDownCast(port->getServer()->proxyManager()->NewProxy("filters", name)));
-  if (!filter)
-  {
-    return table;
-  }
   QGuiApplication::setOverrideCursor(QCursor(Qt::BusyCursor));
-  vtkSMPropertyHelper(filter, "Input").Set(port->getSource()->getProxy(), port->getPortNumber());
-  prepare(filter);
   filter->UpdateVTKObjects();
   const QString label = QString(filter->GetXMLLabel()) + "...";
   if (pqTFCCancelableUpdate::run(filter, this->Document->time(), label))
@@ -94,6 +113,20 @@ vtkSmartPointer<vtkTFCTableInformation> pqTFCAdvice::run(const char* name,
   }
   QGuiApplication::restoreOverrideCursor();
   return table;
+}
+
+//-----------------------------------------------------------------------------
+vtkSmartPointer<vtkTFCTableInformation> pqTFCAdvice::run(const char* name,
+  const std::function<void(vtkSMProxy*)>& prepare, vtkTFCTableInformation* second)
+{
+  SCOPED_UNDO_EXCLUDE();
+  const vtkSmartPointer<vtkSMSourceProxy> filter = this->makeFilter(name);
+  if (!filter)
+  {
+    return vtkSmartPointer<vtkTFCTableInformation>::New();
+  }
+  prepare(filter);
+  return this->gather(filter, second);
 }
 
 //-----------------------------------------------------------------------------
@@ -156,9 +189,13 @@ const std::vector<pqTFCAdvice::Candidate>& pqTFCAdvice::candidates()
 }
 
 //-----------------------------------------------------------------------------
-std::vector<pqTFCAdvice::Pair> pqTFCAdvice::pairs()
+const std::vector<pqTFCAdvice::Pair>& pqTFCAdvice::pairs()
 {
-  std::vector<Pair> pairs;
+  if (this->HasPairs)
+  {
+    return this->Pairs;
+  }
+  this->HasPairs = true;
   const auto table = this->run("AxisSuggestion", [](vtkSMProxy*) {});
   for (int row = 0; row < table->GetNumberOfRows(); ++row)
   {
@@ -167,33 +204,84 @@ std::vector<pqTFCAdvice::Pair> pqTFCAdvice::pairs()
       QString::fromStdString(table->GetText("kind", row)), table->GetNumber("pair_score", row) };
     const auto same = [&pair](const Pair& other)
     { return other.Primary == pair.Primary && other.Secondary == pair.Secondary; };
-    if (!pair.Primary.empty() && std::none_of(pairs.begin(), pairs.end(), same))
+    if (!pair.Primary.empty() && std::none_of(this->Pairs.begin(), this->Pairs.end(), same))
     {
-      pairs.push_back(pair);
+      this->Pairs.push_back(pair);
     }
   }
-  return pairs;
+  return this->Pairs;
+}
+
+//-----------------------------------------------------------------------------
+bool pqTFCAdvice::hasMoreThanAxes() const
+{
+  const vtkTFCTransferFunction* model = this->Document->model();
+  const auto isOther = [model](const pqTFCAttribute& attribute)
+  {
+    bool other = true;
+    for (int i = 0; i < 2; ++i)
+    {
+      other = other &&
+        (attribute.Array != model->GetAxisArray(i) ||
+          attribute.Component != model->GetAxisComponent(i));
+    }
+    return other;
+  };
+  const auto& attributes = this->Document->attributes();
+  return this->Document->isReady() && model->HasAxes() &&
+    std::any_of(attributes.begin(), attributes.end(), isOther);
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCAdvice::computeSplits()
+{
+  const QString text = this->Document->state();
+  const QJsonObject state = QJsonDocument::fromJson(text.toUtf8()).object();
+  QJsonArray needed = { state["primary"], state["secondary"] };
+  for (const QJsonValue value : state["regions"].toArray())
+  {
+    const QJsonObject region = value.toObject();
+    needed.append(
+      QJsonArray{ region["id"], region["visible"], region["shape"], region["falloff"] });
+  }
+  const QByteArray key = QJsonDocument(needed).toJson(QJsonDocument::Compact);
+  if (key == this->SplitsState)
+  {
+    return;
+  }
+  SCOPED_UNDO_EXCLUDE();
+  this->SplitsState = key;
+  this->Splits.clear();
+  if (!this->SplitFilter)
+  {
+    this->SplitFilter = this->makeFilter("RegionSplit");
+  }
+  if (!this->SplitFilter || !this->hasMoreThanAxes() || state["regions"].toArray().isEmpty())
+  {
+    return;
+  }
+  vtkSMPropertyHelper(this->SplitFilter, "TransferFunction").Set(text.toUtf8().constData());
+  const auto table = this->gather(this->SplitFilter);
+  for (int row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    if (table->GetNumber("rank", row) > 0)
+    {
+      this->Splits.push_back({ static_cast<int>(table->GetNumber("region", row)),
+        QString::fromStdString(table->GetText("attribute", row)), table->GetNumber("power", row),
+        table->GetNumber("cut", row), table->GetNumber("below", row),
+        QString::fromStdString(table->GetText("keep_above", row)),
+        QString::fromStdString(table->GetText("keep_below", row)) });
+    }
+  }
 }
 
 //-----------------------------------------------------------------------------
 std::vector<pqTFCAdvice::Split> pqTFCAdvice::splits(int region)
 {
+  this->computeSplits();
   std::vector<Split> splits;
-  const QString state = this->Document->state();
-  const auto table = this->run("RegionSplit",
-    [&](vtkSMProxy* filter)
-    { vtkSMPropertyHelper(filter, "TransferFunction").Set(state.toUtf8().constData()); });
-  for (int row = 0; row < table->GetNumberOfRows(); ++row)
-  {
-    if (static_cast<int>(table->GetNumber("region", row)) == region &&
-      table->GetNumber("rank", row) > 0)
-    {
-      splits.push_back({ QString::fromStdString(table->GetText("attribute", row)),
-        table->GetNumber("power", row), table->GetNumber("cut", row),
-        table->GetNumber("below", row), QString::fromStdString(table->GetText("keep_above", row)),
-        QString::fromStdString(table->GetText("keep_below", row)) });
-    }
-  }
+  std::copy_if(this->Splits.begin(), this->Splits.end(), std::back_inserter(splits),
+    [region](const Split& split) { return split.Region == region; });
   return splits;
 }
 

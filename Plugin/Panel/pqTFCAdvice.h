@@ -5,13 +5,16 @@
  * @brief What the advice's filters say about the data of the editor: scores of attributes, pairs of
  * axes, and what splits a region.
  *
- * Every call runs a filter on the server (passes over the data), so answers are kept until data or
- * axes change. See Plugin/Documentation/advice.md for what the numbers mean.
+ * Answers come from filters on the server (passes over the data), so they are kept until data or
+ * axes change, those of splits() until a region changes its outline or fall-off: that filter stays
+ * and keeps its histograms, so its next answer needs no pass. See Plugin/Documentation/advice.md
+ * for what the numbers mean.
  */
 
 #ifndef pqTFCAdvice_h
 #define pqTFCAdvice_h
 
+#include <QByteArray>
 #include <QObject>
 #include <QString>
 
@@ -23,6 +26,7 @@
 
 class pqTFCDocument;
 class vtkSMProxy;
+class vtkSMSourceProxy;
 class vtkTFCTableInformation;
 class vtkTFCTransferFunction;
 
@@ -61,11 +65,12 @@ public:
     QString Kind;
     double Score = 0;
   };
-  std::vector<Pair> pairs();
+  const std::vector<Pair>& pairs();
 
   /// How an attribute splits the voxels of a region.
   struct Split
   {
+    int Region = 0; ///< its id
     QString Attribute;
     double Power = 0;  ///< 0 to 1
     double Cut = 0;    ///< data units
@@ -73,7 +78,10 @@ public:
     QString KeepAbove; ///< "tertiary" of the region's state, JSON
     QString KeepBelow;
   };
+  /// Of a visible region, best attribute first.
   std::vector<Split> splits(int region);
+  /// The filter of splits() is no longer needed.
+  void releaseSplits();
 
   /// Set a region's "tertiary" to such a text, as one edit.
   void apply(int region, const QString& tertiary);
@@ -84,14 +92,26 @@ public:
     const std::function<void(vtkSMProxy*)>& prepare, vtkTFCTableInformation* second = nullptr);
 
 public Q_SLOTS:
+  /// All answers: the data have changed.
   void forget();
 
 private:
   Q_DISABLE_COPY(pqTFCAdvice)
 
+  vtkSmartPointer<vtkSMSourceProxy> makeFilter(const char* name) const;
+  vtkSmartPointer<vtkTFCTableInformation> gather(vtkSMSourceProxy* filter,
+    vtkTFCTableInformation* second = nullptr) const;
+  bool hasMoreThanAxes() const;
+  void computeSplits();
+
   pqTFCDocument* Document;
   std::vector<Candidate> Candidates;
   std::string CandidatesAxes; ///< what they were computed for
+  std::vector<Pair> Pairs;
+  bool HasPairs = false;
+  std::vector<Split> Splits;
+  QByteArray SplitsState; ///< what of the state they depend on
+  vtkSmartPointer<vtkSMSourceProxy> SplitFilter;
 };
 
 #endif

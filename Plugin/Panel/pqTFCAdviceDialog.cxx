@@ -5,6 +5,7 @@
 #include "pqDoubleRangeWidget.h"
 #include "pqTFCAdvice.h"
 #include "pqTFCDocument.h"
+#include "pqTFCReach.h"
 #include "vtkTFCRegion.h"
 #include "vtkTFCTransferFunction.h"
 
@@ -20,6 +21,8 @@
 
 namespace
 {
+constexpr int AFTER_HISTOGRAMS = 200; // ms
+
 QTableWidgetItem* Cell(const QString& text)
 {
   return new QTableWidgetItem(text);
@@ -44,7 +47,9 @@ pqTFCAdviceDialog::pqTFCAdviceDialog(pqTFCDocument* document, pqTFCAdvice* advic
   this->setWindowTitle(tr("Advice"));
   this->resize(560, 620);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(new QLabel(tr("<b>Axes</b>: pairs that belong together, best first"), this));
+  this->AxesTitle = new QLabel(this);
+  this->AxesTitle->setObjectName("AxesTitle");
+  layout->addWidget(this->AxesTitle);
   this->Axes =
     this->makeTable("Axes", { tr("Primary"), tr("Secondary"), tr("Kind"), tr("Score"), "" });
   layout->addWidget(this->Axes);
@@ -57,6 +62,7 @@ pqTFCAdviceDialog::pqTFCAdviceDialog(pqTFCDocument* document, pqTFCAdvice* advic
   this->Balance = new pqDoubleRangeWidget(this);
   this->Balance->setObjectName("Balance");
   this->Balance->setAccessibleName(tr("Balance between correlation and entropy"));
+  pqTFCNameParts(this->Balance);
   this->Balance->setMinimum(0);
   this->Balance->setMaximum(1);
   this->Balance->setValue(0.4);
@@ -68,6 +74,7 @@ pqTFCAdviceDialog::pqTFCAdviceDialog(pqTFCDocument* document, pqTFCAdvice* advic
     { tr("Attribute"), tr("Correlation"), tr("Entropy"), tr("Score"), "" });
   layout->addWidget(this->Scores);
   this->Region = new QLabel(this);
+  this->Region->setObjectName("Region");
   layout->addWidget(this->Region);
   this->Splits =
     this->makeTable("Splits", { tr("Attribute"), tr("Power"), tr("Cut at"), tr("Below"), "", "" });
@@ -77,13 +84,67 @@ pqTFCAdviceDialog::pqTFCAdviceDialog(pqTFCDocument* document, pqTFCAdvice* advic
   QObject::connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   QObject::connect(this->Balance, &pqDoubleRangeWidget::valueChanged, this,
     &pqTFCAdviceDialog::fillScores);
+  // After the event that says so, once for all that it says.
+  this->Timer.setSingleShot(true);
+  QObject::connect(&this->Timer, &QTimer::timeout, this, &pqTFCAdviceDialog::follow);
+  QObject::connect(document, &pqTFCDocument::targetChanged, this, &pqTFCAdviceDialog::followLater);
+  QObject::connect(document, &pqTFCDocument::attributesChanged, this,
+    &pqTFCAdviceDialog::followLater);
+  QObject::connect(document, &pqTFCDocument::selectionChanged, this,
+    &pqTFCAdviceDialog::followLater);
+  QObject::connect(document, &pqTFCDocument::changed, this,
+    [this](bool live)
+    {
+      if (!live)
+      {
+        this->followLater();
+      }
+    });
+  QObject::connect(document, &pqTFCDocument::histogramsChanged, this,
+    [this]()
+    {
+      if (this->Timer.isActive())
+      {
+        this->followLater();
+      }
+    });
+  this->fill();
+}
+
+//-----------------------------------------------------------------------------
+pqTFCAdviceDialog::~pqTFCAdviceDialog()
+{
+  this->Advice->releaseSplits();
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCAdviceDialog::followLater()
+{
+  // Histograms are seen first and come first; while an animation plays, they wait as well.
+  this->Timer.start(this->Document->isFetching() ? AFTER_HISTOGRAMS : 0);
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCAdviceDialog::follow()
+{
+  if (this->Document->isFetching())
+  {
+    this->followLater();
+  }
+  // The end of an edit is told.
+  else if (!this->Document->link()->isEditing())
+  {
+    this->fill();
+  }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCAdviceDialog::fill()
+{
   this->fillAxes();
   this->fillScores();
   this->fillSplits();
 }
-
-//-----------------------------------------------------------------------------
-pqTFCAdviceDialog::~pqTFCAdviceDialog() = default;
 
 //-----------------------------------------------------------------------------
 QTableWidget* pqTFCAdviceDialog::makeTable(const QString& name, const QStringList& columns)
@@ -92,6 +153,13 @@ QTableWidget* pqTFCAdviceDialog::makeTable(const QString& name, const QStringLis
   table->setObjectName(name);
   table->setAccessibleName(name);
   table->setHorizontalHeaderLabels(columns);
+  for (int column = 0; column < columns.size(); ++column)
+  {
+    if (columns[column].isEmpty())
+    {
+      table->horizontalHeaderItem(column)->setData(Qt::AccessibleTextRole, tr("Button"));
+    }
+  }
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   table->verticalHeader()->hide();
@@ -101,68 +169,87 @@ QTableWidget* pqTFCAdviceDialog::makeTable(const QString& name, const QStringLis
 }
 
 //-----------------------------------------------------------------------------
+QPushButton* pqTFCAdviceDialog::button(QTableWidget* table, int row, int column,
+  const QString& text, const QString& name)
+{
+  auto* button = qobject_cast<QPushButton*>(table->cellWidget(row, column));
+  if (!button)
+  {
+    button = new QPushButton(text, table);
+    button->setObjectName(name + QString::number(row));
+    table->setCellWidget(row, column, button);
+  }
+  return button;
+}
+
+//-----------------------------------------------------------------------------
 void pqTFCAdviceDialog::fillAxes()
 {
-  const auto pairs = this->Advice->pairs();
-  this->Axes->setRowCount(static_cast<int>(pairs.size()));
-  for (int row = 0; row < static_cast<int>(pairs.size()); ++row)
+  const bool ready = this->Document->isReady();
+  this->AxesTitle->setText(ready
+      ? tr("<b>Axes</b>: pairs that belong together, best first")
+      : tr("<b>Axes</b>: select data that are shown as <i>Combined Volume</i>"));
+  this->Pairs = ready ? this->Advice->pairs() : std::vector<pqTFCAdvice::Pair>();
+  this->Axes->setRowCount(static_cast<int>(this->Pairs.size()));
+  for (int row = 0; row < this->Axes->rowCount(); ++row)
   {
-    const pqTFCAdvice::Pair& pair = pairs[row];
+    const pqTFCAdvice::Pair& pair = this->Pairs[row];
     this->Axes->setItem(row, 0, Cell(QString::fromStdString(pair.Primary)));
     this->Axes->setItem(row, 1, Cell(QString::fromStdString(pair.Secondary)));
     this->Axes->setItem(row, 2, Cell(pair.Kind));
     this->Axes->setItem(row, 3, Cell(pair.Score));
-    auto* use = new QPushButton(tr("Use"), this->Axes);
-    use->setObjectName(QString("Use%1").arg(row));
+    const bool isNew = !this->Axes->cellWidget(row, 4);
+    QPushButton* use = this->button(this->Axes, row, 4, tr("Use"), "Use");
     // Names of components have no place in a state's axis.
     use->setEnabled(this->Document->findAttribute(pair.Primary, 0) &&
       this->Document->findAttribute(pair.Secondary, 0));
-    this->Axes->setCellWidget(row, 4, use);
-    QObject::connect(use, &QPushButton::clicked, this,
-      [this, pair]()
-      {
-        vtkTFCTransferFunction* model = this->Document->model();
-        this->Document->edit(tr("Change axes"),
-          [&]()
-          {
-            const std::string names[2] = { pair.Primary, pair.Secondary };
-            for (int i = 0; i < 2; ++i)
-            {
-              if (model->GetAxisArray(i) != names[i])
-              {
-                model->SetAxis(i, names[i].c_str(), 0);
-                model->ClearAxisRange(i);
-              }
-            }
-          });
-        this->fillScores();
-        this->fillSplits();
-      });
+    if (isNew)
+    {
+      use->setToolTip(tr("As primary and secondary attribute"));
+      QObject::connect(use, &QPushButton::clicked, this, [this, row]() { this->useAxes(row); });
+    }
   }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCAdviceDialog::useAxes(int row)
+{
+  const std::string names[2] = { this->Pairs[row].Primary, this->Pairs[row].Secondary };
+  vtkTFCTransferFunction* model = this->Document->model();
+  this->Document->edit(tr("Change axes"),
+    [&]()
+    {
+      for (int i = 0; i < 2; ++i)
+      {
+        if (model->GetAxisArray(i) != names[i])
+        {
+          model->SetAxis(i, names[i].c_str(), 0);
+          model->ClearAxisRange(i);
+        }
+      }
+    });
 }
 
 //-----------------------------------------------------------------------------
 void pqTFCAdviceDialog::fillScores()
 {
-  std::vector<pqTFCAdvice::Candidate>& candidates = this->Candidates;
-  candidates = this->Advice->candidates();
+  this->Candidates =
+    this->Document->isReady() ? this->Advice->candidates() : std::vector<pqTFCAdvice::Candidate>();
   const double a = this->Balance->value();
-  std::stable_sort(candidates.begin(), candidates.end(),
+  std::stable_sort(this->Candidates.begin(), this->Candidates.end(),
     [a](const auto& x, const auto& y) { return x.Score(a) > y.Score(a); });
-  this->Scores->setRowCount(static_cast<int>(candidates.size()));
-  for (int row = 0; row < static_cast<int>(candidates.size()); ++row)
+  this->Scores->setRowCount(static_cast<int>(this->Candidates.size()));
+  for (int row = 0; row < this->Scores->rowCount(); ++row)
   {
-    this->Scores->setItem(row, 0, Cell(candidates[row].Label));
-    this->Scores->setItem(row, 1, Cell(candidates[row].Correlation));
-    this->Scores->setItem(row, 2, Cell(candidates[row].Entropy));
-    this->Scores->setItem(row, 3, Cell(candidates[row].Score(a)));
-    // One button per row for good: the slider may be under way in the middle of this.
+    const pqTFCAdvice::Candidate& candidate = this->Candidates[row];
+    this->Scores->setItem(row, 0, Cell(candidate.Label));
+    this->Scores->setItem(row, 1, Cell(candidate.Correlation));
+    this->Scores->setItem(row, 2, Cell(candidate.Entropy));
+    this->Scores->setItem(row, 3, Cell(candidate.Score(a)));
     if (!this->Scores->cellWidget(row, 4))
     {
-      auto* use = new QPushButton(tr("Use"), this->Scores);
-      use->setObjectName(QString("Tertiary%1").arg(row));
+      QPushButton* use = this->button(this->Scores, row, 4, tr("Use"), "Tertiary");
       use->setToolTip(tr("As the tertiary attribute of the selected region"));
-      this->Scores->setCellWidget(row, 4, use);
       QObject::connect(use, &QPushButton::clicked, this, [this, row]() { this->useTertiary(row); });
     }
   }
@@ -184,42 +271,60 @@ void pqTFCAdviceDialog::useTertiary(int row)
     this->Document->findAttribute(candidate.Array, candidate.Component);
   if (attribute)
   {
-    this->Document->setTertiary(static_cast<int>(attribute - this->Document->attributes().data()));
+    this->Document->setTertiary(region,
+      static_cast<int>(attribute - this->Document->attributes().data()));
   }
 }
 
 //-----------------------------------------------------------------------------
 void pqTFCAdviceDialog::fillSplits()
 {
-  vtkTFCRegion* region = this->Document->activeRegion();
+  vtkTFCRegion* region = this->Document->isReady() ? this->Document->activeRegion() : nullptr;
   this->Splits->setVisible(region != nullptr);
-  if (!region)
+  this->Shown.clear();
+  if (region)
+  {
+    this->Shown = this->Advice->splits(region->GetId());
+    const QString name = QString::fromStdString(region->GetName()).toHtmlEscaped();
+    this->Region->setText(region->GetVisible()
+        ? tr("<b>Splits of %1</b>: 1 is two separate parts, 0 a single one").arg(name)
+        : tr("<b>Splits of %1</b>: the region is hidden, show it to see them").arg(name));
+  }
+  else
   {
     this->Region->setText(tr("<b>Splits</b>: select one region to see which attribute splits it"));
-    return;
   }
-  const int id = region->GetId();
-  this->Region->setText(tr("<b>Splits of %1</b>: 1 is two separate parts, 0 a single one")
-                          .arg(QString::fromStdString(region->GetName()).toHtmlEscaped()));
-  const auto splits = this->Advice->splits(id);
-  this->Splits->setRowCount(static_cast<int>(splits.size()));
-  for (int row = 0; row < static_cast<int>(splits.size()); ++row)
+  this->Splits->setRowCount(static_cast<int>(this->Shown.size()));
+  for (int row = 0; row < this->Splits->rowCount(); ++row)
   {
-    const pqTFCAdvice::Split& split = splits[row];
+    const pqTFCAdvice::Split& split = this->Shown[row];
     this->Splits->setItem(row, 0, Cell(split.Attribute));
     this->Splits->setItem(row, 1, Cell(split.Power));
     this->Splits->setItem(row, 2, Cell(split.Cut));
     this->Splits->setItem(row, 3, Cell(QString("%1 %").arg(100 * split.Below, 0, 'f', 0)));
-    const QString names[2] = { tr("Keep below"), tr("Keep above") };
-    const QString states[2] = { split.KeepBelow, split.KeepAbove };
-    for (int i = 0; i < 2; ++i)
+    this->Splits->item(row, 3)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    for (const bool above : { false, true })
     {
-      auto* keep = new QPushButton(names[i], this->Splits);
-      keep->setObjectName(QString(i == 0 ? "KeepBelow%1" : "KeepAbove%1").arg(row));
-      keep->setEnabled(!states[i].isEmpty() && !region->GetLocked());
-      this->Splits->setCellWidget(row, 4 + i, keep);
-      QObject::connect(keep, &QPushButton::clicked, this,
-        [this, id, state = states[i]]() { this->Advice->apply(id, state); });
+      const int column = above ? 5 : 4;
+      const bool isNew = !this->Splits->cellWidget(row, column);
+      QPushButton* button = this->button(this->Splits, row, column,
+        above ? tr("Keep above") : tr("Keep below"), above ? "KeepAbove" : "KeepBelow");
+      button->setEnabled(
+        !(above ? split.KeepAbove : split.KeepBelow).isEmpty() && !region->GetLocked());
+      if (isNew)
+      {
+        button->setToolTip(
+          above ? tr("Show what is above the cut alone") : tr("Show what is below the cut alone"));
+        QObject::connect(button, &QPushButton::clicked, this,
+          [this, row, above]() { this->keep(row, above); });
+      }
     }
   }
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCAdviceDialog::keep(int row, bool above)
+{
+  const pqTFCAdvice::Split& split = this->Shown[row];
+  this->Advice->apply(split.Region, above ? split.KeepAbove : split.KeepBelow);
 }

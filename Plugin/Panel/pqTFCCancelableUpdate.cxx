@@ -25,7 +25,14 @@ bool pqTFCCancelableUpdate::run(vtkSMSourceProxy* source, double time, const QSt
   }
   const pqTFCCancelableUpdate update(algorithm, label);
   source->UpdatePipeline(time);
-  return !update.Dialog->wasCanceled();
+  const bool canceled = update.Dialog->wasCanceled();
+  if (canceled)
+  {
+    // The next update starts again.
+    algorithm->SetAbortExecute(0);
+    algorithm->Modified();
+  }
+  return !canceled;
 }
 
 //-----------------------------------------------------------------------------

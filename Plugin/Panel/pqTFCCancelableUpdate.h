@@ -28,7 +28,7 @@ class pqTFCCancelableUpdate : public QObject
 
 public:
   /// Update `source` at `time`. `label` says what is computed. False when it was cancelled: the
-  /// output is empty then, and the source should be deleted.
+  /// output is empty then, until another update.
   static bool run(vtkSMSourceProxy* source, double time, const QString& label);
 
 protected:

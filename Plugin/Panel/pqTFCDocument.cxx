@@ -246,9 +246,8 @@ void pqTFCDocument::collectAttributes()
 }
 
 //-----------------------------------------------------------------------------
-void pqTFCDocument::setTertiary(int index)
+void pqTFCDocument::setTertiary(vtkTFCRegion* region, int index)
 {
-  vtkTFCRegion* region = this->activeRegion();
   if (!region || index >= static_cast<int>(this->Attributes.size()))
   {
     return;

@@ -70,9 +70,9 @@ public:
   QString labelOf(const std::string& array, int component) const;
   ///@}
 
-  /// Give the only selected region an attribute (by its index) as tertiary one, as an edit; -1
-  /// takes it away. All voxels of the region stay visible until the user says otherwise.
-  void setTertiary(int index);
+  /// Give a region an attribute (by its index) as tertiary one, as an edit; -1 takes it away. All
+  /// voxels of the region stay visible until the user says otherwise.
+  void setTertiary(vtkTFCRegion* region, int index);
 
   /// Time of the view that shows the data.
   double time() const;

@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTFCFunctionLook.h"
 
-#include "QVTKOpenGLNativeWidget.h"
+#include "pqTFCFunctionChart.h"
 #include "vtkAxis.h"
 #include "vtkBrush.h"
 #include "vtkChart.h"
-#include "vtkCollectionRange.h"
-#include "vtkContextActor.h"
-#include "vtkContextScene.h"
 #include "vtkControlPointsItem.h"
 #include "vtkPen.h"
-#include "vtkPropCollection.h"
-#include "vtkRange.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkRendererCollection.h"
 #include "vtkScalarsToColorsItem.h"
 #include "vtkTextProperty.h"
 
@@ -24,30 +17,6 @@
 
 namespace
 {
-// ParaView's widget has no function for either (ParaView 5.11).
-vtkRenderer* FindRenderer(QWidget* widget)
-{
-  auto* canvas = widget->findChild<QVTKOpenGLNativeWidget*>();
-  return canvas ? canvas->renderWindow()->GetRenderers()->GetFirstRenderer() : nullptr;
-}
-
-vtkChart* FindChart(vtkRenderer* renderer)
-{
-  for (vtkObject* prop : vtk::Range(renderer->GetViewProps()))
-  {
-    auto* actor = vtkContextActor::SafeDownCast(prop);
-    vtkContextScene* scene = actor ? actor->GetScene() : nullptr;
-    for (unsigned int i = 0; scene && i < scene->GetNumberOfItems(); ++i)
-    {
-      if (auto* chart = vtkChart::SafeDownCast(scene->GetItem(i)))
-      {
-        return chart;
-      }
-    }
-  }
-  return nullptr;
-}
-
 void SetColor(vtkPen* pen, const QColor& color)
 {
   // Without opacity, which says more than a look: some lines are hidden by it.
@@ -59,14 +28,14 @@ void SetColor(vtkPen* pen, const QColor& color)
 //-----------------------------------------------------------------------------
 void pqTFCFollowPalette(QWidget* widget, const QPalette& palette)
 {
-  vtkRenderer* renderer = FindRenderer(widget);
-  vtkChart* chart = renderer ? FindChart(renderer) : nullptr;
+  vtkRenderer* renderer = pqTFCFunctionRenderer(widget);
+  vtkChart* chart = pqTFCFunctionChart(widget);
   if (!chart)
   {
     return;
   }
-  const QColor ground = palette.color(QPalette::Base);
-  const QColor ink = palette.color(QPalette::Text);
+  const QColor& ground = palette.color(QPalette::Base);
+  const QColor& ink = palette.color(QPalette::Text);
   renderer->SetBackground(ground.redF(), ground.greenF(), ground.blueF());
   chart->GetBackgroundBrush()->SetColorF(ground.redF(), ground.greenF(), ground.blueF(),
     chart->GetBackgroundBrush()->GetOpacity() / 255.0);
@@ -92,8 +61,8 @@ void pqTFCFollowPalette(QWidget* widget, const QPalette& palette)
 //-----------------------------------------------------------------------------
 QString pqTFCFunctionColors(QWidget* widget)
 {
-  vtkRenderer* renderer = FindRenderer(widget);
-  vtkChart* chart = renderer ? FindChart(renderer) : nullptr;
+  vtkRenderer* renderer = pqTFCFunctionRenderer(widget);
+  vtkChart* chart = pqTFCFunctionChart(widget);
   QString colors;
   for (vtkIdType i = 0; chart && i < chart->GetNumberOfPlots(); ++i)
   {

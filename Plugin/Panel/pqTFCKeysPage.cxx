@@ -38,6 +38,10 @@ void pqTFCShowKeysPage(QWidget* parent)
     { QCoreApplication::translate("pqTFCKeysPage", "double click"),
       QCoreApplication::translate("pqTFCKeysPage",
         "on an edge: new corner; on a corner: remove it") },
+    { QCoreApplication::translate("pqTFCKeysPage", "in the list: F2, space bar"),
+      QCoreApplication::translate("pqTFCKeysPage", "edit a value; show, hide, lock") },
+    { QCoreApplication::translate("pqTFCKeysPage", "in the list: Alt+Up, Alt+Down"),
+      QCoreApplication::translate("pqTFCKeysPage", "move the region up, down") },
   };
   QString text = "<table cellpadding=3>";
   for (const QStringList& row : rows)
@@ -46,7 +50,7 @@ void pqTFCShowKeysPage(QWidget* parent)
       "</td></tr>";
   }
   QMessageBox box(QMessageBox::NoIcon,
-    QCoreApplication::translate("pqTFCKeysPage", "Keys and Mouse in the Chart"), text + "</table>",
+    QCoreApplication::translate("pqTFCKeysPage", "Keys and Mouse"), text + "</table>",
     QMessageBox::Close, parent);
   box.setObjectName("Keys");
   box.exec();

@@ -69,7 +69,7 @@ pqTFCPanel::pqTFCPanel(QWidget* parentObject)
     tr("A new region around the cross: the values of the place that was clicked at in the view"));
   this->AtProbe->setAutoRaise(true);
   this->AtProbe->hide();
-  auto* list = new pqTFCRegionList(this->Document, contents);
+  auto* list = new pqTFCRegionList(this->Document, this->Advice, contents);
   auto* form = new pqTFCRegionForm(this->Document, contents);
   this->Tertiary = new pqTFCTertiaryEditor(this->Document, this->Advice, contents);
 

@@ -3,44 +3,14 @@
 #include "pqTFCProbeMark.h"
 
 #include "pqTFCDocument.h"
+#include "pqTFCFunctionChart.h"
 #include "pqTFCProbe.h"
 #include "pqTransferFunctionWidget.h"
-#include "vtkChart.h"
-#include "vtkCollectionRange.h"
-#include "vtkContextActor.h"
 #include "vtkContextScene.h"
-#include "vtkPropCollection.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkRendererCollection.h"
 #include "vtkTFCRegion.h"
 #include "vtkTFCValueMark.h"
 
-#include <QVTKOpenGLNativeWidget.h>
-
 #include <limits>
-
-namespace
-{
-// The scene of ParaView's widget, which has no function for it (ParaView 5.11).
-vtkContextScene* FindScene(QWidget* widget)
-{
-  auto* canvas = widget->findChild<QVTKOpenGLNativeWidget*>();
-  vtkRenderer* renderer =
-    canvas ? canvas->renderWindow()->GetRenderers()->GetFirstRenderer() : nullptr;
-  if (renderer)
-  {
-    for (vtkObject* prop : vtk::Range(renderer->GetViewProps()))
-    {
-      if (auto* actor = vtkContextActor::SafeDownCast(prop))
-      {
-        return actor->GetScene();
-      }
-    }
-  }
-  return nullptr;
-}
-}
 
 //-----------------------------------------------------------------------------
 pqTFCProbeMark::pqTFCProbeMark(pqTFCDocument* document, pqTFCProbe* probe,
@@ -50,15 +20,9 @@ pqTFCProbeMark::pqTFCProbeMark(pqTFCDocument* document, pqTFCProbe* probe,
   , Probe(probe)
   , Widget(widget)
 {
-  if (vtkContextScene* scene = FindScene(widget))
+  if (vtkContextScene* scene = pqTFCFunctionScene(widget))
   {
-    for (unsigned int i = 0; i < scene->GetNumberOfItems(); ++i)
-    {
-      if (auto* chart = vtkChart::SafeDownCast(scene->GetItem(i)))
-      {
-        this->Mark->SetChart(chart);
-      }
-    }
+    this->Mark->SetChart(pqTFCFunctionChart(widget));
     // The mouse goes through to the points of the function.
     this->Mark->SetInteractive(false);
     scene->AddItem(this->Mark);

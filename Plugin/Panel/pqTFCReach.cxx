@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QScrollBar>
+#include <QTableView>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -46,6 +47,36 @@ bool HasName(QWidget* widget)
   QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(widget);
   return (interface && !interface->text(QAccessible::Name).trimmed().isEmpty()) ||
     !widget->accessibleName().isEmpty() || !widget->toolTip().isEmpty();
+}
+
+// Headers and cells that show.
+QStringList NamelessCells(const QTableView* table)
+{
+  QStringList found;
+  const QAbstractItemModel* model = table->model();
+  const auto isNamed = [](const QVariant& said, const QVariant& shown)
+  { return !said.toString().trimmed().isEmpty() || !shown.toString().trimmed().isEmpty(); };
+  for (int column = 0; model && column < model->columnCount(); ++column)
+  {
+    if (table->isColumnHidden(column))
+    {
+      continue;
+    }
+    if (!isNamed(model->headerData(column, Qt::Horizontal, Qt::AccessibleTextRole),
+          model->headerData(column, Qt::Horizontal)))
+    {
+      found << QString("column %1").arg(column);
+    }
+    for (int row = 0; row < model->rowCount(); ++row)
+    {
+      const QModelIndex cell = model->index(row, column);
+      if (!table->indexWidget(cell) && !isNamed(cell.data(Qt::AccessibleTextRole), cell.data()))
+      {
+        found << QString("cell %1.%2").arg(row).arg(column);
+      }
+    }
+  }
+  return found;
 }
 }
 
@@ -92,6 +123,13 @@ QStringList pqTFCOutOfReach(QWidget* parent)
     if (!(widget->focusPolicy() & Qt::TabFocus))
     {
       found << PathOf(widget, parent) + " is not reached with Tab";
+    }
+    if (const auto* table = qobject_cast<const QTableView*>(widget))
+    {
+      for (const QString& cell : NamelessCells(table))
+      {
+        found << PathOf(widget, parent) + " " + cell + " has no name";
+      }
     }
   }
   found.sort();

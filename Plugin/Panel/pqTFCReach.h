@@ -24,8 +24,8 @@ void pqTFCNameParts(QWidget* widget);
 
 /**
  * Every visible widget below `parent` that takes the keyboard or the mouse and has no name that a
- * screen reader could say, or no way to it with Tab: sorted paths of object names, each with what
- * is wrong.
+ * screen reader could say, or no way to it with Tab, and the headers and cells of tables without a
+ * name: sorted paths of object names, each with what is wrong.
  */
 QStringList pqTFCOutOfReach(QWidget* parent);
 

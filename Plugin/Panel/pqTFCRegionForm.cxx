@@ -7,52 +7,14 @@
 #include "pqTFCDocument.h"
 #include "pqTFCField.h"
 #include "pqTFCReach.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkTFCEllipseShape.h"
-#include "vtkTFCOutline.h"
-#include "vtkTFCPolygonShape.h"
-#include "vtkTFCRectangleShape.h"
+#include "pqTFCRegionText.h"
 #include "vtkTFCRegion.h"
+#include "vtkTFCShape.h"
 #include "vtkTFCTransferFunction.h"
-#include "vtkTFCTriangleShape.h"
 
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QRegularExpression>
-
-#include <cmath>
-#include <vector>
-
-namespace
-{
-QString Number(double value)
-{
-  return QString::number(value, 'g', 7);
-}
-
-QString Pair(const double p[2])
-{
-  return Number(p[0]) + " " + Number(p[1]);
-}
-
-// All numbers of a text; false when there is anything else but separators.
-bool ParseNumbers(const QString& text, std::vector<double>& numbers)
-{
-  static const QRegularExpression separators("[\\s,;:()\\[\\]]+");
-  for (const QString& word : text.split(separators, Qt::SkipEmptyParts))
-  {
-    bool isNumber = false;
-    numbers.push_back(word.toDouble(&isNumber));
-    if (!isNumber || !std::isfinite(numbers.back()))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-}
 
 //-----------------------------------------------------------------------------
 pqTFCRegionForm::pqTFCRegionForm(pqTFCDocument* document, QWidget* parentObject)
@@ -148,36 +110,6 @@ pqTFCRegionForm::pqTFCRegionForm(pqTFCDocument* document, QWidget* parentObject)
 pqTFCRegionForm::~pqTFCRegionForm() = default;
 
 //-----------------------------------------------------------------------------
-QString pqTFCRegionForm::geometryText() const
-{
-  vtkTFCShape* shape = this->Document->activeRegion()->GetShape();
-  double center[2];
-  double half[2];
-  double p[2];
-  if (auto* ellipse = vtkTFCEllipseShape::SafeDownCast(shape))
-  {
-    ellipse->GetCenter(center);
-    ellipse->GetRadii(half);
-    return Pair(center) + "; " + Pair(half) + "; " + Number(ellipse->GetAngle());
-  }
-  if (auto* rectangle = vtkTFCRectangleShape::SafeDownCast(shape))
-  {
-    rectangle->GetCenter(center);
-    rectangle->GetHalfSize(half);
-    return Pair(center) + "; " + Pair(half) + "; " + Number(rectangle->GetAngle());
-  }
-  QStringList points;
-  auto* triangle = vtkTFCTriangleShape::SafeDownCast(shape);
-  auto* polygon = vtkTFCPolygonShape::SafeDownCast(shape);
-  for (int i = 0; i < (triangle ? 3 : polygon->GetNumberOfPoints()); ++i)
-  {
-    triangle ? triangle->GetPoint(i, p) : polygon->GetPoint(i, p);
-    points << Pair(p);
-  }
-  return points.join("; ");
-}
-
-//-----------------------------------------------------------------------------
 void pqTFCRegionForm::refresh()
 {
   vtkTFCRegion* region = this->Document->activeRegion();
@@ -202,7 +134,7 @@ void pqTFCRegionForm::refresh()
   this->Geometry->setToolTip(box
       ? tr("Centre x y; half of width and height; angle in degrees. In data units.")
       : tr("Corners x y; x y; ... in data units."));
-  this->Geometry->show(this->geometryText(), false);
+  this->Geometry->show(pqTFCGeometryText(region), false);
   this->Refreshing = false;
 }
 
@@ -237,60 +169,11 @@ void pqTFCRegionForm::onGeometry()
   {
     return;
   }
-  std::vector<double> n;
-  const bool numbers = ParseNumbers(this->Geometry->text(), n);
-  vtkTFCShape* shape = region->GetShape();
-  auto* ellipse = vtkTFCEllipseShape::SafeDownCast(shape);
-  auto* rectangle = vtkTFCRectangleShape::SafeDownCast(shape);
-  auto* triangle = vtkTFCTriangleShape::SafeDownCast(shape);
-  auto* polygon = vtkTFCPolygonShape::SafeDownCast(shape);
-  const bool box = ellipse || rectangle;
-  // Corners on one line enclose nothing.
-  std::vector<vtkTFCOutline::Point> corners;
-  for (size_t i = 0; i + 1 < n.size() && !box; i += 2)
-  {
-    corners.push_back({ n[i], n[i + 1] });
-  }
-  if (!numbers || (!box && !vtkTFCOutline::FromPoints(corners).IsValid()) ||
-    (box && (n.size() != 5 || !(n[2] > 0) || !(n[3] > 0))) || (triangle && n.size() != 6) ||
-    (polygon && (n.size() < 6 || n.size() % 2)))
-  {
-    this->Document->say(box
-        ? tr("Expected five numbers: centre x y, half of width and height above 0, angle.")
-        : tr("Expected two numbers x y for each of %1 corners that are not on one line.")
-            .arg(triangle ? "3" : "3 or more"));
-    this->Geometry->show(this->geometryText(), true);
-    return;
-  }
+  const QString text = this->Geometry->text();
+  // Before the edit, which shows it as it was read.
   this->Geometry->accept();
-  this->Document->edit(tr("Change geometry"),
-    [&]()
-    {
-      if (ellipse)
-      {
-        ellipse->SetCenter(n[0], n[1]);
-        ellipse->SetRadii(n[2], n[3]);
-        ellipse->SetAngle(n[4]);
-      }
-      else if (rectangle)
-      {
-        rectangle->SetCenter(n[0], n[1]);
-        rectangle->SetHalfSize(n[2], n[3]);
-        rectangle->SetAngle(n[4]);
-      }
-      else if (triangle)
-      {
-        triangle->SetPoints(n[0], n[1], n[2], n[3], n[4], n[5]);
-      }
-      else
-      {
-        vtkNew<vtkPoints> points;
-        points->SetDataTypeToDouble();
-        for (size_t i = 0; i + 1 < n.size(); i += 2)
-        {
-          points->InsertNextPoint(n[i], n[i + 1], 0);
-        }
-        polygon->SetPoints(points);
-      }
-    });
+  if (!pqTFCSetGeometry(this->Document, region, text))
+  {
+    this->Geometry->show(pqTFCGeometryText(region), true);
+  }
 }

@@ -35,8 +35,6 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqTFCRegionForm)
 
-  QString geometryText() const;
-
   pqTFCDocument* Document;
   pqColorChooserButton* Color;
   pqDoubleRangeWidget* Opacity;

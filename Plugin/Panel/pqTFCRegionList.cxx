@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTFCRegionList.h"
 
+#include "pqTFCColumnMenu.h"
 #include "pqTFCDocument.h"
 #include "pqTFCReach.h"
+#include "pqTFCRegionDelegate.h"
 #include "pqTFCRegionModel.h"
 #include "vtkTFCRegion.h"
 #include "vtkTFCTransferFunction.h"
@@ -12,15 +14,19 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QItemSelectionModel>
+#include <QKeyEvent>
 #include <QScopedValueRollback>
 #include <QTableView>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <functional>
 
 //-----------------------------------------------------------------------------
-pqTFCRegionList::pqTFCRegionList(pqTFCDocument* document, QWidget* parentObject)
+pqTFCRegionList::pqTFCRegionList(pqTFCDocument* document, pqTFCAdvice* advice,
+  QWidget* parentObject)
   : Superclass(parentObject)
   , Document(document)
 {
@@ -37,12 +43,13 @@ pqTFCRegionList::pqTFCRegionList(pqTFCDocument* document, QWidget* parentObject)
   this->List->setMinimumHeight(60);
   this->List->verticalHeader()->hide();
   this->List->verticalHeader()->setDefaultSectionSize(this->fontMetrics().height() + 6);
-  QHeaderView* header = this->List->horizontalHeader();
-  header->setSectionResizeMode(QHeaderView::ResizeToContents);
-  header->setSectionResizeMode(pqTFCRegionModel::Name, QHeaderView::Stretch);
-  header->setHighlightSections(false);
+  this->List->horizontalHeader()->setHighlightSections(false);
+  this->List->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  this->List->setItemDelegate(new pqTFCRegionDelegate(document, advice, this->List));
+  this->Columns = new pqTFCColumnMenu(this->List, this);
 
   this->List->setMouseTracking(true);
+  this->List->installEventFilter(this);
   this->List->viewport()->installEventFilter(this);
   QObject::connect(this->List, &QTableView::entered, this,
     [this](const QModelIndex& index)
@@ -71,9 +78,34 @@ pqTFCRegionList::~pqTFCRegionList() = default;
 //-----------------------------------------------------------------------------
 bool pqTFCRegionList::eventFilter(QObject* watched, QEvent* e)
 {
-  if (e->type() == QEvent::Leave)
+  if (watched == this->List->viewport() && e->type() == QEvent::Leave)
   {
     Q_EMIT this->hovered(0);
+  }
+  else if (watched == this->List->viewport() && e->type() == QEvent::Resize)
+  {
+    this->Columns->fit();
+    // When the scroll bars know about it.
+    QMetaObject::invokeMethod(
+      this,
+      [this]()
+      {
+        if (this->Document->activeRegion())
+        {
+          this->List->scrollTo(this->List->currentIndex());
+        }
+      },
+      Qt::QueuedConnection);
+  }
+  else if (watched == this->List && e->type() == QEvent::KeyPress)
+  {
+    const auto* key = static_cast<QKeyEvent*>(e);
+    const int by = key->key() == Qt::Key_Up ? -1 : key->key() == Qt::Key_Down ? 1 : 0;
+    if (by && key->modifiers() & Qt::AltModifier)
+    {
+      this->moveRegion(by);
+      return true;
+    }
   }
   return this->Superclass::eventFilter(watched, e);
 }
@@ -95,9 +127,19 @@ QToolBar* pqTFCRegionList::makeActions()
     [this]() { Q_EMIT this->duplicate(); });
   add(tr("Delete"), tr("Delete the selected regions (Del in the chart)"),
     [this]() { Q_EMIT this->remove(); });
-  add(tr("Up"), tr("Move the region up: with the blend 'over', the first one is in front"),
+  add(tr("Up"),
+    tr("Move the region up (Alt+Up in the list): with the blend 'over', the first one is in front"),
     [this]() { this->moveRegion(-1); });
-  add(tr("Down"), tr("Move the region down"), [this]() { this->moveRegion(1); });
+  add(tr("Down"), tr("Move the region down (Alt+Down in the list)"),
+    [this]() { this->moveRegion(1); });
+  auto* columns = new QToolButton(bar);
+  columns->setObjectName("ColumnMenu");
+  columns->setText(tr("Columns"));
+  columns->setToolTip(tr("Which properties of the regions the list shows"));
+  columns->setPopupMode(QToolButton::InstantPopup);
+  this->Columns->setParent(columns, this->Columns->windowFlags());
+  columns->setMenu(this->Columns);
+  bar->addWidget(columns);
   pqTFCLetTabReach(bar);
   return bar;
 }
@@ -153,11 +195,19 @@ void pqTFCRegionList::refresh()
       {
         const QModelIndex index = this->Model->index(row, 0);
         selection.select(index, index.siblingAtColumn(pqTFCRegionModel::NumberOfColumns - 1));
-        this->List->scrollTo(index);
+        // In the column where the keyboard is.
+        const QModelIndex current =
+          index.siblingAtColumn(std::max(0, this->List->currentIndex().column()));
+        this->List->scrollTo(current);
+        if (this->Document->activeRegion() && current.row() != this->List->currentIndex().row())
+        {
+          this->List->selectionModel()->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
+        }
       }
     }
   }
   this->List->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+  this->Columns->fit();
   for (QAction* action : this->Actions)
   {
     action->setEnabled(!this->Document->selection().empty());

@@ -3,6 +3,9 @@
 /**
  * @class pqTFCRegionList
  * @brief The table of regions with its buttons; selects what the chart selects.
+ *
+ * Every property of a region is a column (pqTFCRegionModel); a menu says which of them show. Alt
+ * with the arrows up and down changes the order.
  */
 
 #ifndef pqTFCRegionList_h
@@ -14,6 +17,8 @@
 class QAction;
 class QTableView;
 class QToolBar;
+class pqTFCAdvice;
+class pqTFCColumnMenu;
 class pqTFCDocument;
 class pqTFCRegionModel;
 
@@ -23,7 +28,7 @@ class pqTFCRegionList : public QWidget
   typedef QWidget Superclass;
 
 public:
-  pqTFCRegionList(pqTFCDocument* document, QWidget* parent = nullptr);
+  pqTFCRegionList(pqTFCDocument* document, pqTFCAdvice* advice, QWidget* parent = nullptr);
   ~pqTFCRegionList() override;
 
 Q_SIGNALS:
@@ -49,6 +54,7 @@ private:
   pqTFCDocument* Document;
   pqTFCRegionModel* Model;
   QTableView* List;
+  pqTFCColumnMenu* Columns;
   QList<QAction*> Actions;
   bool Synchronizing = false;
 };

@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqTFCRegionModel
- * @brief The regions as a table for Qt's views: one row per region, in list order.
+ * @brief The regions as a table for Qt's views: one row per region, in list order, and every
+ * property of a region in a column, where it is edited as text, see pqTFCRegionText.h.
+ *
+ * Every edit is one step of undo; what cannot be read is refused with a message. A locked region
+ * can be shown, hidden and unlocked. Cells and headers have names for screen readers.
  */
 
 #ifndef pqTFCRegionModel_h
 #define pqTFCRegionModel_h
 
 #include <QAbstractTableModel>
+#include <QIcon>
+#include <QStringList>
 
 class pqTFCDocument;
 class vtkTFCRegion;
@@ -28,8 +34,17 @@ public:
     Width,
     Tertiary,
     Lock,
+    Color,
+    Shape,
+    OpacityPoints,
+    ColorPoints,
+    TertiaryRange,
     NumberOfColumns
   };
+  /// For settings, and object names.
+  static QString columnName(int column);
+  /// In the order of vtkTFCRegion::FalloffTypes.
+  static QStringList falloffs();
 
   pqTFCRegionModel(pqTFCDocument* document, QObject* parent = nullptr);
   ~pqTFCRegionModel() override;
@@ -48,6 +63,12 @@ private Q_SLOTS:
 
 private:
   Q_DISABLE_COPY(pqTFCRegionModel)
+
+  QString text(vtkTFCRegion* region, int column) const;
+  QIcon swatch(vtkTFCRegion* region) const;
+  bool setText(vtkTFCRegion* region, int column, const QString& text);
+  bool setNumber(vtkTFCRegion* region, int column, const QString& text);
+  bool setTertiary(vtkTFCRegion* region, const QVariant& value);
 
   pqTFCDocument* Document;
   int Rows = 0;

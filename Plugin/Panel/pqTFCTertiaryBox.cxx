@@ -5,6 +5,7 @@
 #include "pqTFCAdvice.h"
 #include "pqTFCDocument.h"
 #include "vtkTFCRegion.h"
+#include "vtkTFCTransferFunction.h"
 
 #include <QPainter>
 #include <QScopedValueRollback>
@@ -12,12 +13,6 @@
 
 namespace
 {
-enum Roles
-{
-  AttributeRole = Qt::UserRole,
-  ScoreRole
-};
-constexpr int MISSING = -2;
 constexpr double BALANCE = 0.4;
 
 // The score at the right of the name: the text of the item stays the name alone, which the closed
@@ -31,7 +26,7 @@ public:
     const QModelIndex& index) const override
   {
     this->QStyledItemDelegate::paint(painter, option, index);
-    const QString score = index.data(ScoreRole).toString();
+    const QString score = index.data(pqTFCTertiaryBox::ScoreRole).toString();
     if (!score.isEmpty())
     {
       const bool selected = option.state & QStyle::State_Selected;
@@ -53,10 +48,11 @@ public:
 
 //-----------------------------------------------------------------------------
 pqTFCTertiaryBox::pqTFCTertiaryBox(pqTFCDocument* document, pqTFCAdvice* advice,
-  QWidget* parentObject)
+  QWidget* parentObject, int region)
   : Superclass(parentObject)
   , Document(document)
   , Advice(advice)
+  , Region(region)
 {
   this->setObjectName("Attribute");
   this->setAccessibleName(tr("Tertiary attribute of the region"));
@@ -127,7 +123,8 @@ void pqTFCTertiaryBox::refresh()
       this->addItem(attributes[i].Label, static_cast<int>(i));
     }
   }
-  vtkTFCRegion* region = this->Document->activeRegion();
+  vtkTFCRegion* region = this->Region ? this->Document->model()->GetRegionById(this->Region)
+                                      : this->Document->activeRegion();
   int current = 0;
   if (region && region->HasTertiary())
   {

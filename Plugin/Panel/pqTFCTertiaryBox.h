@@ -23,7 +23,17 @@ class pqTFCTertiaryBox : public QComboBox
   typedef QComboBox Superclass;
 
 public:
-  pqTFCTertiaryBox(pqTFCDocument* document, pqTFCAdvice* advice, QWidget* parent = nullptr);
+  /// Item data: index into the document's attributes, -1 for none, MISSING for what the data lack.
+  enum Data
+  {
+    MISSING = -2,
+    AttributeRole = Qt::UserRole,
+    ScoreRole
+  };
+
+  /// For the region with that id; 0: for the selected one.
+  pqTFCTertiaryBox(pqTFCDocument* document, pqTFCAdvice* advice, QWidget* parent = nullptr,
+    int region = 0);
   ~pqTFCTertiaryBox() override;
 
   void showPopup() override;
@@ -40,6 +50,7 @@ private:
 
   pqTFCDocument* Document;
   pqTFCAdvice* Advice;
+  int Region;
   bool Refreshing = false;
 };
 

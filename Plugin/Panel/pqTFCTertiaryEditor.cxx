@@ -3,8 +3,8 @@
 #include "pqTFCTertiaryEditor.h"
 
 #include "pqTFCDocument.h"
-#include "pqTFCField.h"
 #include "pqTFCFunctionLook.h"
+#include "pqTFCPointsField.h"
 #include "pqTFCTertiaryBox.h"
 #include "pqTransferFunctionWidget.h"
 #include "vtkColorTransferFunction.h"
@@ -20,7 +20,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QRegularExpression>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -77,6 +76,8 @@ pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* a
   auto* label = new QLabel(tr("&Tertiary"), this);
   this->Attribute = new pqTFCTertiaryBox(document, advice, this);
   label->setBuddy(this->Attribute);
+  // Its own hint cuts the last letter where a pixel of the screen is less than one of Qt's.
+  label->setMinimumWidth(this->fontMetrics().horizontalAdvance(tr("Tertiary")) + 4);
   this->UseColors = new QCheckBox(tr("Co&lours"), this);
   this->UseColors->setObjectName("UseColors");
   this->UseColors->setToolTip(tr("Colour the region by its tertiary attribute"));
@@ -100,17 +101,15 @@ pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* a
   this->Caption = new QLabel(this->Functions);
   this->Caption->setAlignment(Qt::AlignCenter);
   this->Caption->setObjectName("Caption");
-  this->Points = new pqTFCField(this->Functions);
-  this->Points->setObjectName("Points");
-  this->Points->setAccessibleName(tr("Points of the opacity: value and opacity"));
-  this->Points->setToolTip(tr("Value opacity; value opacity; ... with increasing values in data "
-                              "units and opacities from 0 to 1"));
   stack->addWidget(this->Opacity, 0, 0, 1, 3);
   stack->addWidget(this->Colors, 1, 0, 1, 3);
   stack->addWidget(this->Ends[0], 2, 0);
   stack->addWidget(this->Caption, 2, 1);
   stack->addWidget(this->Ends[1], 2, 2);
-  stack->addWidget(this->Points, 3, 0, 1, 3);
+  stack->addWidget(new pqTFCPointsField(document, pqTFCPointsField::Opacities, this->Functions), 3,
+    0, 1, 3);
+  stack->addWidget(new pqTFCPointsField(document, pqTFCPointsField::Colors, this->Functions), 4, 0,
+    1, 3);
   stack->setRowStretch(0, 1);
   stack->setColumnStretch(1, 1);
 
@@ -131,10 +130,8 @@ pqTFCTertiaryEditor::pqTFCTertiaryEditor(pqTFCDocument* document, pqTFCAdvice* a
       &pqTFCTertiaryEditor::onPointsModified);
   }
   QObject::connect(this->Attribute, &pqTFCTertiaryBox::chosen, document,
-    &pqTFCDocument::setTertiary);
+    [document](int attribute) { document->setTertiary(document->activeRegion(), attribute); });
   QObject::connect(this->UseColors, &QCheckBox::toggled, this, &pqTFCTertiaryEditor::onUseColors);
-  QObject::connect(this->Points, &pqTFCField::editingFinished, this,
-    &pqTFCTertiaryEditor::onPointsTyped);
   QObject::connect(document, &pqTFCDocument::attributesChanged, this,
     &pqTFCTertiaryEditor::refresh);
   QObject::connect(document, &pqTFCDocument::changed, this, &pqTFCTertiaryEditor::refresh);
@@ -184,7 +181,6 @@ void pqTFCTertiaryEditor::showFunctions(vtkTFCRegion* region)
   region->GetTertiaryColorNodes(colors);
 
   // Nodes at both ends, where the function goes on level, so that the chart shows all of the range.
-  QStringList points;
   vtkNew<vtkDoubleArray> wanted;
   wanted->SetNumberOfComponents(2);
   const vtkIdType last = opacities->GetNumberOfTuples() - 1;
@@ -194,15 +190,12 @@ void pqTFCTertiaryEditor::showFunctions(vtkTFCRegion* region)
   }
   for (vtkIdType i = 0; i <= last; ++i)
   {
-    const double* node = opacities->GetTuple2(i);
-    wanted->InsertNextTuple(node);
-    points << QString::number(node[0], 'g', 6) + " " + QString::number(node[1], 'g', 4);
+    wanted->InsertNextTuple(opacities->GetTuple2(i));
   }
   if (last >= 0 && opacities->GetComponent(last, 0) < range[1])
   {
     wanted->InsertNextTuple2(range[1], opacities->GetComponent(last, 1));
   }
-  this->Points->show(points.join("; "), false);
 
   // What ParaView's widget made itself stays, and with it the point that is selected there.
   const bool hasColors = colors->GetNumberOfTuples() > 0;
@@ -232,6 +225,7 @@ void pqTFCTertiaryEditor::showFunctions(vtkTFCRegion* region)
   this->RegionColor->AddRGBPoint(extent[0], color[0], color[1], color[2]);
   this->RegionColor->AddRGBPoint(extent[1], color[0], color[1], color[2]);
   this->ColorFunction->RemoveAllPoints();
+  this->ColorFunction->SetAllowDuplicateScalars(true);
   for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
   {
     const double* c = colors->GetTuple4(i);
@@ -413,54 +407,6 @@ bool pqTFCTertiaryEditor::eventFilter(QObject* watched, QEvent* e)
       Qt::QueuedConnection);
   }
   return this->Superclass::eventFilter(watched, e);
-}
-
-//-----------------------------------------------------------------------------
-void pqTFCTertiaryEditor::onPointsTyped()
-{
-  vtkTFCRegion* region = this->Document->activeRegion();
-  if (!this->Points->typed() || !region || !region->HasTertiary())
-  {
-    return;
-  }
-  static const QRegularExpression separators("[\\s,;:()\\[\\]]+");
-  vtkNew<vtkDoubleArray> nodes;
-  nodes->SetNumberOfComponents(2);
-  std::vector<double> numbers;
-  bool valid = true;
-  for (const QString& word : this->Points->text().split(separators, Qt::SkipEmptyParts))
-  {
-    bool isNumber = false;
-    numbers.push_back(word.toDouble(&isNumber));
-    valid = valid && isNumber && std::isfinite(numbers.back());
-  }
-  valid = valid && !numbers.empty() && numbers.size() % 2 == 0;
-  for (size_t i = 0; valid && i < numbers.size(); i += 2)
-  {
-    const bool increasing = i == 0 || numbers[i] > numbers[i - 2] ||
-      (numbers[i] == numbers[i - 2] && (i < 4 || numbers[i] > numbers[i - 4]));
-    valid = increasing && numbers[i + 1] >= 0 && numbers[i + 1] <= 1;
-    nodes->InsertNextTuple2(numbers[i], numbers[i + 1]);
-  }
-  if (!valid)
-  {
-    this->Document->say(tr(
-      "Expected pairs of numbers, value and opacity: values increasing, opacities from 0 to 1."));
-    this->Points->show(QString(), true);
-    this->Shown.clear();
-    this->refresh();
-    return;
-  }
-  this->Points->accept();
-  vtkNew<vtkDoubleArray> colors;
-  region->GetTertiaryColorNodes(colors);
-  const std::string array = region->GetTertiaryArray();
-  this->Document->edit(tr("Change tertiary function"),
-    [&]()
-    {
-      region->SetTertiary(array.c_str(), region->GetTertiaryComponent(), nodes,
-        colors->GetNumberOfTuples() > 0 ? colors.Get() : nullptr);
-    });
 }
 
 //-----------------------------------------------------------------------------

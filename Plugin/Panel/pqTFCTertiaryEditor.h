@@ -7,7 +7,7 @@
  *
  * The histogram is weighted by the region's shape and fall-off and follows while the region is
  * dragged. Opacity and colours are edited with ParaView's own transfer function widget, or typed as
- * points.
+ * points (pqTFCPointsField).
  */
 
 #ifndef pqTFCTertiaryEditor_h
@@ -24,7 +24,6 @@ class QCheckBox;
 class QLabel;
 class pqTFCAdvice;
 class pqTFCDocument;
-class pqTFCField;
 class pqTFCTertiaryBox;
 class pqTransferFunctionWidget;
 class vtkColorTransferFunction;
@@ -60,7 +59,6 @@ protected:
 private Q_SLOTS:
   void refresh();
   void onPointsModified();
-  void onPointsTyped();
   void onUseColors(bool use);
 
 private:
@@ -80,7 +78,6 @@ private:
   pqTransferFunctionWidget* Colors;
   QLabel* Ends[2];
   QLabel* Caption;
-  pqTFCField* Points;
   vtkNew<vtkPiecewiseFunction> OpacityFunction;
   vtkNew<vtkColorTransferFunction> ColorFunction; ///< of the region, when it has one
   vtkNew<vtkColorTransferFunction> RegionColor;   ///< constant, for the histogram

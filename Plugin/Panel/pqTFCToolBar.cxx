@@ -167,9 +167,15 @@ void pqTFCToolBar::addAdvice(pqTFCAdvice* advice)
   QObject::connect(action, &QAction::triggered, this,
     [this, advice]()
     {
-      auto* dialog = new pqTFCAdviceDialog(this->Document, advice, this);
-      dialog->setAttribute(Qt::WA_DeleteOnClose);
+      auto* dialog = this->findChild<pqTFCAdviceDialog*>();
+      if (!dialog)
+      {
+        dialog = new pqTFCAdviceDialog(this->Document, advice, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+      }
       dialog->show();
+      dialog->raise();
+      dialog->activateWindow();
     });
   this->ReadyActions << action;
   this->refresh();
