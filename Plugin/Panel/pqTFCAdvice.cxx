@@ -6,6 +6,7 @@
 #include "pqPipelineSource.h"
 #include "pqServer.h"
 #include "pqTFCCancelableUpdate.h"
+#include "pqTFCDataProblem.h"
 #include "pqTFCDocument.h"
 #include "pqUndoStack.h"
 #include "vtkPVSession.h"
@@ -147,6 +148,13 @@ const std::vector<pqTFCAdvice::Candidate>& pqTFCAdvice::candidates()
   {
     return this->Candidates;
   }
+  // The message bar says what is wrong with the data: no filter has to.
+  if (pqTFCDataProblem::find(this->Document).Kind != pqTFCDataProblem::None)
+  {
+    this->Candidates.clear();
+    this->CandidatesAxes.clear();
+    return this->Candidates;
+  }
   this->CandidatesAxes = axes;
   this->Candidates.clear();
   const auto table = this->run("CombinationScore",
@@ -191,7 +199,7 @@ const std::vector<pqTFCAdvice::Candidate>& pqTFCAdvice::candidates()
 //-----------------------------------------------------------------------------
 const std::vector<pqTFCAdvice::Pair>& pqTFCAdvice::pairs()
 {
-  if (this->HasPairs)
+  if (this->HasPairs || this->Document->attributes().empty())
   {
     return this->Pairs;
   }
@@ -229,6 +237,7 @@ bool pqTFCAdvice::hasMoreThanAxes() const
   };
   const auto& attributes = this->Document->attributes();
   return this->Document->isReady() && model->HasAxes() &&
+    pqTFCDataProblem::find(this->Document).Kind == pqTFCDataProblem::None &&
     std::any_of(attributes.begin(), attributes.end(), isOther);
 }
 

@@ -106,7 +106,10 @@ def main():
               (region["opacity"], [[-110, 0], [-70, 1]]), "step 6: the brain stays")
         check((second["opacity"], second["tertiary"]["opacity"]) ==
               (0.1, [[-110, 1], [-70, 0]]), "step 6: the copy")
-        check(first["shape"] == second["shape"] and first["color"] != second["color"],
+        # Numbers that look the same as what is typed stay as they are, to the last digit.
+        same = all(abs(a - b) < 1e-9 for key in ("center", "halfsize")
+                   for a, b in zip(first["shape"][key], second["shape"][key]))
+        check(same and first["color"] != second["color"],
               "step 6: the same shape, another colour")
         check(parts["scalp"] > 1.05 * parts["brain"], "step 6: the scalp around the brain")
 
