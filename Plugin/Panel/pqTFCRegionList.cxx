@@ -11,6 +11,7 @@
 #include "vtkTFCTransferFunction.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QEvent>
 #include <QHeaderView>
 #include <QItemSelectionModel>
@@ -128,10 +129,11 @@ QToolBar* pqTFCRegionList::makeActions()
   add(tr("Delete"), tr("Delete the selected regions (Del in the chart)"),
     [this]() { Q_EMIT this->remove(); });
   add(tr("Up"),
-    tr("Move the region up (Alt+Up in the list): with the blend 'over', the first one is in front"),
+    tr("Move the region up (Alt+Up in the list). The first one may be in front: see Overlaps"),
     [this]() { this->moveRegion(-1); });
   add(tr("Down"), tr("Move the region down (Alt+Down in the list)"),
     [this]() { this->moveRegion(1); });
+  this->addBlendMenu(bar);
   auto* columns = new QToolButton(bar);
   columns->setObjectName("ColumnMenu");
   columns->setText(tr("Columns"));
@@ -142,6 +144,42 @@ QToolBar* pqTFCRegionList::makeActions()
   bar->addWidget(columns);
   pqTFCLetTabReach(bar);
   return bar;
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCRegionList::addBlendMenu(QToolBar* bar)
+{
+  auto* menu = new QMenu(bar);
+  menu->setObjectName("BlendMenu");
+  menu->setToolTipsVisible(true);
+  auto* group = new QActionGroup(menu);
+  const auto add = [&](int blend, const QString& title, const QString& name, const QString& tip)
+  {
+    QAction* action = menu->addAction(title);
+    action->setObjectName(name);
+    action->setToolTip(tip);
+    action->setCheckable(true);
+    group->addAction(action);
+    this->Blends << action;
+    QObject::connect(action, &QAction::triggered, this,
+      [this, blend]()
+      {
+        this->Document->edit(tr("Change how regions overlap"),
+          [this, blend]() { this->Document->model()->SetBlend(blend); });
+      });
+  };
+  add(vtkTFCTransferFunction::Mix, tr("Mix their Colours"), "Mix",
+    tr("Where regions share voxels, their colours mix by opacity; the order plays no part"));
+  add(vtkTFCTransferFunction::Over, tr("First in Front"), "Over",
+    tr("Where regions share voxels, the first one of the list is in front"));
+  auto* button = new QToolButton(bar);
+  button->setObjectName("BlendMenu");
+  button->setText(tr("Overlaps"));
+  button->setToolTip(tr("What voxels show that belong to several regions"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  menu->setParent(button, menu->windowFlags());
+  button->setMenu(menu);
+  bar->addWidget(button);
 }
 
 //-----------------------------------------------------------------------------
@@ -211,5 +249,10 @@ void pqTFCRegionList::refresh()
   for (QAction* action : this->Actions)
   {
     action->setEnabled(!this->Document->selection().empty());
+  }
+  for (int blend = 0; blend < this->Blends.size(); ++blend)
+  {
+    this->Blends[blend]->setEnabled(this->Document->isReady());
+    this->Blends[blend]->setChecked(blend == this->Document->model()->GetBlend());
   }
 }

@@ -49,6 +49,7 @@ private:
   Q_DISABLE_COPY(pqTFCRegionList)
 
   QToolBar* makeActions();
+  void addBlendMenu(QToolBar* bar);
   void moveRegion(int by);
 
   pqTFCDocument* Document;
@@ -56,6 +57,7 @@ private:
   QTableView* List;
   pqTFCColumnMenu* Columns;
   QList<QAction*> Actions;
+  QList<QAction*> Blends; ///< by vtkTFCTransferFunction::BlendTypes
   bool Synchronizing = false;
 };
 
