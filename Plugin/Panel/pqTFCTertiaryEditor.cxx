@@ -375,21 +375,47 @@ void pqTFCTertiaryEditor::writeLive(vtkTFCRegion* region)
 }
 
 //-----------------------------------------------------------------------------
-bool pqTFCTertiaryEditor::eventFilter(QObject* watched, QEvent* e)
+bool pqTFCTertiaryEditor::onKey(QObject* function, int key)
 {
-  if (e->type() == QEvent::KeyPress)
+  auto* widget = qobject_cast<pqTransferFunctionWidget*>(function);
+  if (!widget)
+  {
+    return false;
+  }
+  if (key == Qt::Key_Delete || key == Qt::Key_Backspace)
   {
     // VTK reports an error when there is no point to remove.
-    const int key = static_cast<QKeyEvent*>(e)->key();
-    auto* widget = qobject_cast<pqTransferFunctionWidget*>(watched->parent());
-    if ((key == Qt::Key_Delete || key == Qt::Key_Backspace) && widget && widget->currentPoint() < 0)
-    {
-      return true;
-    }
+    return widget->currentPoint() < 0;
+  }
+  if (widget == this->Colors && (key == Qt::Key_Return || key == Qt::Key_Enter))
+  {
+    this->chooseColor();
+    return true;
+  }
+  return false;
+}
+
+//-----------------------------------------------------------------------------
+void pqTFCTertiaryEditor::chooseColor()
+{
+  // What ParaView's widget does after a double click; but the style of VTK's charts passes none on
+  // (VTK 9.2: vtkContextInteractorStyle has no OnLeftButtonDoubleClick()).
+  QMetaObject::invokeMethod(this->Colors, "editColorAtCurrentControlPoint", Qt::QueuedConnection);
+}
+
+//-----------------------------------------------------------------------------
+bool pqTFCTertiaryEditor::eventFilter(QObject* watched, QEvent* e)
+{
+  if (e->type() == QEvent::KeyPress &&
+    this->onKey(watched->parent(), static_cast<QKeyEvent*>(e)->key()))
+  {
+    return true;
   }
   if (e->type() == QEvent::MouseButtonPress || e->type() == QEvent::MouseButtonDblClick)
   {
     this->Pressed = true;
+    this->DoubleClicked =
+      e->type() == QEvent::MouseButtonDblClick && watched->parent() == this->Colors;
   }
   else if (e->type() == QEvent::MouseButtonRelease && this->Pressed)
   {
@@ -402,6 +428,11 @@ bool pqTFCTertiaryEditor::eventFilter(QObject* watched, QEvent* e)
         if (this->Document->link()->isEditing())
         {
           this->Document->commit(tr("Change tertiary function"));
+        }
+        if (this->DoubleClicked)
+        {
+          this->DoubleClicked = false;
+          this->chooseColor();
         }
       },
       Qt::QueuedConnection);

@@ -69,6 +69,10 @@ private:
   void write(vtkTFCRegion* region);
   void writeLive(vtkTFCRegion* region);
   void followPalette();
+  /// A key in one of the functions; whether it is used up.
+  bool onKey(QObject* function, int key);
+  /// Of the colours' current point, in a dialog.
+  void chooseColor();
 
   pqTFCDocument* Document;
   pqTFCTertiaryBox* Attribute;
@@ -85,7 +89,8 @@ private:
   double Total = -1;
   vtkSmartPointer<vtkTable> Histogram; ///< that is shown
   bool Refreshing = false;
-  bool Pressed = false; ///< a mouse button is down in one of the functions
+  bool Pressed = false;       ///< a mouse button is down in one of the functions
+  bool DoubleClicked = false; ///< in the colours
 };
 
 #endif

@@ -3,6 +3,7 @@
 // Loaded into paraview by LD_PRELOAD: events that ParaView's playback lacks.
 // "cancel", with the name of a window that will show progress: its button is clicked as soon as the
 // window is there, which is inside of the next event.
+// "color", with a colour: chosen in the next dialog that asks for one.
 // "drop", with the path of a file: dropped as a file manager does it, from outside, onto any
 // widget; Qt finds the one that takes it.
 // "near", with a property, a tolerance and numbers: the property holds these numbers.
@@ -17,6 +18,7 @@
 #include "pqWidgetEventPlayer.h"
 
 #include <QApplication>
+#include <QColorDialog>
 #include <QDebug>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -70,6 +72,43 @@ private:
   QString Window;
 };
 
+// Waits for a dialog of colours and chooses one, once.
+class TFCColorChooser : public QObject
+{
+  Q_OBJECT
+
+public:
+  TFCColorChooser(const QColor& color, QObject* parent)
+    : QObject(parent)
+    , Color(color)
+  {
+    QApplication::instance()->installEventFilter(this);
+  }
+
+protected:
+  bool eventFilter(QObject* object, QEvent* event) override
+  {
+    auto* dialog = qobject_cast<QColorDialog*>(object);
+    if (event->type() == QEvent::Show && dialog)
+    {
+      const QColor color = this->Color;
+      QMetaObject::invokeMethod(
+        dialog,
+        [dialog, color]()
+        {
+          dialog->setCurrentColor(color);
+          dialog->accept();
+        },
+        Qt::QueuedConnection);
+      this->deleteLater();
+    }
+    return false;
+  }
+
+private:
+  QColor Color;
+};
+
 // Players are told apart by the names of their classes.
 class TFCEventPlayer : public pqWidgetEventPlayer
 {
@@ -95,6 +134,11 @@ public:
     if (command == "cancel")
     {
       new TFCCanceler(arguments, this);
+      return true;
+    }
+    if (command == "color")
+    {
+      new TFCColorChooser(QColor(arguments), this);
       return true;
     }
     if (command == "wheel" && widget)
