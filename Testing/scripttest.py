@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests for pvpython and pvbatch share."""
 import os
+import subprocess
 import sys
 
 SKIPPED = 77
@@ -81,6 +82,18 @@ def check_close(values, expected, tolerance, what):
     scale = np.abs(expected[finite]).max(initial=0.0)
     error = np.abs(values[finite] - expected[finite]).max(initial=0.0) / (scale or 1.0)
     check(bool(error <= tolerance), "%s: error %.2e <= %.0e" % (what, error, tolerance))
+
+
+def run_on_ranks(ranks, launcher, program, script, folder):
+    """Run `script --write FOLDER` by pvbatch on a number of processes, from pvpython."""
+    # pvpython is an MPI process itself; what it inherits would confuse the launcher.
+    environment = {name: value for name, value in os.environ.items()
+                   if not name.startswith(("OMPI_", "PMIX_", "OPAL_", "ORTE_", "PRTE_"))}
+    environment["OMPI_MCA_mpi_yield_when_idle"] = "1"
+    finished = subprocess.run(
+        [launcher, "--allow-run-as-root", "--oversubscribe", "-np", str(ranks), program, script,
+         "--write", folder], env=environment)
+    check(finished.returncode == 0, "the run with %d processes" % ranks)
 
 
 def volume(dataset, name):

@@ -35,16 +35,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
-// Waits for a window and clicks its button, once.
-class TFCCanceler : public QObject
+// Waits for a window that `act` takes, once. What it does there has to be posted: for when the
+// window processes its events.
+class TFCWindowWaiter : public QObject
 {
   Q_OBJECT
 
 public:
-  TFCCanceler(const QString& window, QObject* parent)
+  using Act = std::function<bool(QWidget*)>;
+
+  TFCWindowWaiter(Act act, QObject* parent)
     : QObject(parent)
-    , Window(window)
+    , TryToAct(std::move(act))
   {
     QApplication::instance()->installEventFilter(this);
   }
@@ -53,61 +58,51 @@ protected:
   bool eventFilter(QObject* object, QEvent* event) override
   {
     auto* widget = qobject_cast<QWidget*>(object);
-    if (event->type() == QEvent::Show && widget && widget->objectName() == this->Window)
+    if (event->type() == QEvent::Show && widget && this->TryToAct(widget))
     {
-      // Posted, for when the window is processing its events.
-      auto* button = widget->findChild<QPushButton*>();
-      for (const QEvent::Type type : { QEvent::MouseButtonPress, QEvent::MouseButtonRelease })
-      {
-        QApplication::postEvent(button,
-          new QMouseEvent(type, button->rect().center(), Qt::LeftButton, Qt::LeftButton,
-            Qt::NoModifier));
-      }
       this->deleteLater();
     }
     return false;
   }
 
 private:
-  QString Window;
+  Act TryToAct;
 };
 
-// Waits for a dialog of colours and chooses one, once.
-class TFCColorChooser : public QObject
+namespace
 {
-  Q_OBJECT
-
-public:
-  TFCColorChooser(const QColor& color, QObject* parent)
-    : QObject(parent)
-    , Color(color)
+bool Cancel(QWidget* window, const QString& name)
+{
+  auto* button = window->objectName() == name ? window->findChild<QPushButton*>() : nullptr;
+  for (const QEvent::Type type : { QEvent::MouseButtonPress, QEvent::MouseButtonRelease })
   {
-    QApplication::instance()->installEventFilter(this);
-  }
-
-protected:
-  bool eventFilter(QObject* object, QEvent* event) override
-  {
-    auto* dialog = qobject_cast<QColorDialog*>(object);
-    if (event->type() == QEvent::Show && dialog)
+    if (button)
     {
-      const QColor color = this->Color;
-      QMetaObject::invokeMethod(
-        dialog,
-        [dialog, color]()
-        {
-          dialog->setCurrentColor(color);
-          dialog->accept();
-        },
-        Qt::QueuedConnection);
-      this->deleteLater();
+      QApplication::postEvent(button,
+        new QMouseEvent(type, button->rect().center(), Qt::LeftButton, Qt::LeftButton,
+          Qt::NoModifier));
     }
-    return false;
   }
+  return button != nullptr;
+}
 
-private:
-  QColor Color;
-};
+bool ChooseColor(QWidget* window, const QColor& color)
+{
+  auto* dialog = qobject_cast<QColorDialog*>(window);
+  if (dialog)
+  {
+    QMetaObject::invokeMethod(
+      dialog,
+      [dialog, color]()
+      {
+        dialog->setCurrentColor(color);
+        dialog->accept();
+      },
+      Qt::QueuedConnection);
+  }
+  return dialog != nullptr;
+}
+}
 
 // Players are told apart by the names of their classes.
 class TFCEventPlayer : public pqWidgetEventPlayer
@@ -133,12 +128,13 @@ public:
     }
     if (command == "cancel")
     {
-      new TFCCanceler(arguments, this);
+      new TFCWindowWaiter([arguments](QWidget* w) { return Cancel(w, arguments); }, this);
       return true;
     }
     if (command == "color")
     {
-      new TFCColorChooser(QColor(arguments), this);
+      const QColor color(arguments);
+      new TFCWindowWaiter([color](QWidget* w) { return ChooseColor(w, color); }, this);
       return true;
     }
     if (command == "wheel" && widget)

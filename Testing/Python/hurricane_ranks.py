@@ -9,7 +9,6 @@ what they leave in the folders.
 """
 import json
 import os
-import subprocess
 import sys
 import tempfile
 
@@ -78,20 +77,12 @@ def main():
         write(sys.argv[2], data)
         return
     launcher, program = sys.argv[1:]
-    # pvpython is an MPI process itself; what it inherits would confuse the launcher.
-    environment = {name: value for name, value in os.environ.items()
-                   if not name.startswith(("OMPI_", "PMIX_", "OPAL_", "ORTE_", "PRTE_"))}
-    environment["OMPI_MCA_mpi_yield_when_idle"] = "1"
     results = []
     with tempfile.TemporaryDirectory() as parent:
         for ranks in (1, 2):
             folder = os.path.join(parent, str(ranks))
             os.mkdir(folder)
-            command = [launcher, "--allow-run-as-root", "--oversubscribe", "-np", str(ranks),
-                       program, __file__, "--write", folder]
-            finished = subprocess.run(command, env=environment)
-            scripttest.check(finished.returncode == 0,
-                             "the run with %d processes" % ranks)
+            scripttest.run_on_ranks(ranks, launcher, program, __file__, folder)
             results.append(read(folder))
         compare(*results)
 

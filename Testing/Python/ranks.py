@@ -9,7 +9,6 @@ runs itself by pvbatch with the arguments --write FOLDER. Without FXAA, by which
 the edges of a picture of one process only.
 """
 import os
-import subprocess
 import sys
 import tempfile
 
@@ -70,19 +69,12 @@ def main():
         write(sys.argv[2])
         return
     launcher, program = sys.argv[1:]
-    # pvpython is an MPI process itself; what it inherits would confuse the launcher.
-    environment = {name: value for name, value in os.environ.items()
-                   if not name.startswith(("OMPI_", "PMIX_", "OPAL_", "ORTE_", "PRTE_"))}
-    environment["OMPI_MCA_mpi_yield_when_idle"] = "1"
     found = {}
     with tempfile.TemporaryDirectory() as parent:
         for ranks in RANKS:
             folder = os.path.join(parent, str(ranks))
             os.mkdir(folder)
-            finished = subprocess.run(
-                [launcher, "--allow-run-as-root", "--oversubscribe", "-np", str(ranks), program,
-                 __file__, "--write", folder], env=environment)
-            scripttest.check(finished.returncode == 0, "the run with %d processes" % ranks)
+            scripttest.run_on_ranks(ranks, launcher, program, __file__, folder)
             found[ranks] = {name: pictures.read(os.path.join(folder, name + ".png"))
                             for name in MODES}
     for name, one in found[1].items():
