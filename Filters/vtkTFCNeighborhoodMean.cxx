@@ -102,85 +102,82 @@ bool vtkTFCNeighborhoodMean::ComputeBall(double radius, tfc::DistanceWeight weig
   float* out) const
 {
   const tfc::BallKernel kernel(this->Size, this->Spacing, radius, weight);
-  const bool done =
-    this->Masked ? this->RunBall<double>(kernel, out) : this->RunBall<float>(kernel, out);
-  return done && (this->BoundaryWeight == 0.f || this->ApplyBoundary(out));
+  return this->Masked ? this->RunBall<double>(kernel, out) : this->RunBall<float>(kernel, out);
 }
 
 //------------------------------------------------------------------------------
 template <typename Real>
 bool vtkTFCNeighborhoodMean::RunBall(const tfc::BallKernel& kernel, float* out) const
 {
-  const bool masked = std::is_same<Real, double>::value;
+  constexpr bool masked = std::is_same<Real, double>::value;
   const tfc::BallMean<Real> ball(this->Values, this->Size, this->Begin, this->End, this->Middle,
-    masked, kernel);
-  tfc::Index lengths[3];
-  ball.GetLengths(lengths);
-  const auto response = kernel.template GetSpectrum<Real>(lengths, ball.GetScale(),
+    masked, kernel,
     [](tfc::Index count, auto&& body)
     { vtkTFCThreads::For(0, count, 1 + count / 64, vtkTFCSimd::Vectorize(body)); });
-  const vtkIdType floats = masked ? 2 : 1;
+  const vtkIdType floats = sizeof(Real) / sizeof(float);
   const auto buffer = vtkTFCLargeBuffer::Allocate(ball.GetSize() * floats);
   // A double buffer in memory that was asked for as floats: nothing is read before it is written.
   Real* spectrum = reinterpret_cast<Real*>(buffer.get());
 
-  using Workspace = typename tfc::BallMean<Real>::Workspace;
-  return vtkTFCThreads::ForWithProgress(0, this->Size[2], 1, this->Owner, this->From, this->At(0.3),
-           vtkTFCSimd::Vectorize(
-             [&](vtkIdType begin, vtkIdType end)
-             {
-               Workspace work;
-               for (vtkIdType z = begin; z < end; ++z)
-               {
-                 ball.Forward(z, spectrum, work);
-               }
-             })) &&
-    vtkTFCThreads::ForWithProgress(0, ball.GetNumberOfUnits(), 1, this->Owner, this->At(0.3),
-      this->At(0.65),
+  // A range has a workspace, with a plane of the spectrum in it: some units each, but short enough
+  // for all threads to end together and for an abort.
+  const tfc::Index samples = this->Size[0] * this->Size[1] * this->Size[2];
+  const auto run = [this, samples](tfc::Index count, double from, double to, const auto& body)
+  {
+    constexpr tfc::Index samplesOfRange = tfc::Index{ 1 } << 22;
+    const vtkIdType grain = 1 +
+      std::min(count / (16 * vtkTFCThreads::GetNumberOfThreads()),
+        count * samplesOfRange / std::max<tfc::Index>(samples, 1));
+    return vtkTFCThreads::ForWithProgress(0, count, grain, this->Owner, this->At(from),
+      this->At(to),
       vtkTFCSimd::Vectorize(
         [&](vtkIdType begin, vtkIdType end)
         {
-          Workspace work;
+          typename tfc::BallMean<Real>::Workspace work;
           for (vtkIdType unit = begin; unit < end; ++unit)
           {
-            ball.Filter(unit, response.data(), spectrum, work);
-          }
-        })) &&
-    vtkTFCThreads::ForWithProgress(this->Begin[2], this->End[2], 1, this->Owner, this->At(0.65),
-      this->At(0.95),
-      vtkTFCSimd::Vectorize(
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          Workspace work;
-          const tfc::Index slice =
-            (this->End[0] - this->Begin[0]) * (this->End[1] - this->Begin[1]);
-          for (vtkIdType z = begin; z < end; ++z)
-          {
-            ball.Backward(z, spectrum, work, out + (z - this->Begin[2]) * slice);
+            body(unit, work);
           }
         }));
+  };
+  return run((this->Size[2] + 1) / 2, 0., 0.3,
+           [&](vtkIdType pair, auto& work) { ball.Forward(2 * pair, spectrum, work); }) &&
+    run(ball.GetNumberOfUnits(), 0.3, 0.7,
+      [&](vtkIdType unit, auto& work) { ball.Filter(unit, spectrum, work); }) &&
+    run((this->End[2] - this->Begin[2] + 1) / 2, 0.7, 1.,
+      [&](vtkIdType pair, auto& work)
+      {
+        const tfc::Index z = this->Begin[2] + 2 * pair;
+        ball.Backward(z, spectrum, work, out + this->GetOffset(z));
+        this->ApplyBoundary<masked>(z, out + this->GetOffset(z));
+        if (z + 1 < this->End[2])
+        {
+          this->ApplyBoundary<masked>(z + 1, out + this->GetOffset(z + 1));
+        }
+      });
 }
 
 //------------------------------------------------------------------------------
-bool vtkTFCNeighborhoodMean::ApplyBoundary(float* out) const
+template <bool Masked>
+void vtkTFCNeighborhoodMean::ApplyBoundary(tfc::Index z, float* slice) const
 {
+  if (this->BoundaryWeight == 0.f)
+  {
+    return;
+  }
   const tfc::Index width = this->End[0] - this->Begin[0];
-  const tfc::Index height = this->End[1] - this->Begin[1];
-  return vtkTFCThreads::ForWithProgress(0, height * (this->End[2] - this->Begin[2]), 64,
-    this->Owner, this->At(0.95), this->To,
-    vtkTFCSimd::Vectorize(
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        std::vector<float> scratch(static_cast<size_t>(width));
-        for (tfc::Index row = begin; row < end; ++row)
-        {
-          const tfc::Index y = this->Begin[1] + row % height, z = this->Begin[2] + row / height;
-          const auto apply =
-            this->Masked ? tfc::ApplyBoundaryRow<true> : tfc::ApplyBoundaryRow<false>;
-          apply(this->Values, this->Size, y, z, this->Begin[0], this->End[0], this->BoundaryWeight,
-            scratch.data(), out + row * width);
-        }
-      }));
+  std::vector<float> scratch(static_cast<size_t>(width));
+  for (tfc::Index y = this->Begin[1]; y < this->End[1]; ++y)
+  {
+    tfc::ApplyBoundaryRow<Masked>(this->Values, this->Size, y, z, this->Begin[0], this->End[0],
+      this->BoundaryWeight, scratch.data(), slice + (y - this->Begin[1]) * width);
+  }
+}
+
+//------------------------------------------------------------------------------
+tfc::Index vtkTFCNeighborhoodMean::GetOffset(tfc::Index z) const
+{
+  return (z - this->Begin[2]) * (this->End[0] - this->Begin[0]) * (this->End[1] - this->Begin[1]);
 }
 
 //------------------------------------------------------------------------------
@@ -194,18 +191,22 @@ double vtkTFCNeighborhoodMean::GetBoxBytes() const
 //------------------------------------------------------------------------------
 double vtkTFCNeighborhoodMean::GetBallBytes(double radius) const
 {
-  double length[3], octant = 1., response = 1.;
+  double reach[3], length[3];
   for (int a = 0; a < 3; ++a)
   {
-    const double reach =
+    reach[a] =
       std::min(std::floor(radius / this->Spacing[a]), static_cast<double>(this->Size[a] - 1));
     length[a] =
-      static_cast<double>(tfc::GetFourierLength(this->Size[a] + static_cast<tfc::Index>(reach)));
-    octant *= reach + 1.;
-    response *= length[a] / 2. + (a ? 1. : 16.); // rows are filled to a cache line
+      static_cast<double>(tfc::GetFourierLength(this->Size[a] + static_cast<tfc::Index>(reach[a])));
   }
-  // A block of frequencies more than needed; two fields of twice the size when masked.
-  const double spectrum =
-    static_cast<double>(this->Size[2]) * length[1] * (length[0] / 2. + 17.) * 8.;
-  return (this->Masked ? 4. : 1.) * spectrum + (this->Masked ? 8. : 4.) * response + 16. * octant;
+  const double size = this->Masked ? sizeof(double) : sizeof(float), lanes = 64. / size;
+  // Rows are filled to a cache line.
+  const double row = std::floor(static_cast<double>(this->Size[0]) / lanes + 1.) * 2. * lanes;
+  const double frequencies = length[1] / 2. + 1., pitch = length[2] / 2. + lanes;
+  const double spectrum = static_cast<double>(this->Size[2]) * frequencies * row;
+  const double kernel = (reach[0] + 1.) * (frequencies + reach[1] + 1.) * pitch;
+  const double thread = length[2] * (row + 2. * lanes) + (length[0] / 2. + 1.) * pitch;
+  return size *
+    ((this->Masked ? 2. : 1.) * spectrum + kernel + vtkTFCThreads::GetNumberOfThreads() * thread) +
+    16. * (reach[0] + 1.) * (reach[1] + 1.) * (reach[2] + 1.);
 }

@@ -64,7 +64,9 @@ private:
   bool RunBox(double radius, float* out) const;
   template <typename Real>
   bool RunBall(const tfc::BallKernel& kernel, float* out) const;
-  bool ApplyBoundary(float* out) const;
+  template <bool Masked>
+  void ApplyBoundary(tfc::Index z, float* slice) const;
+  tfc::Index GetOffset(tfc::Index z) const;
   double At(double fraction) const { return this->From + fraction * (this->To - this->From); }
 
   const float* Values;

@@ -32,7 +32,7 @@
  *
  * An invalid voxel gets NaN. See vtkTFCPropertyFilter for what is invalid and for the rest. It is
  * an error if Radius is shorter than the smallest spacing or longer than the longest side of the
- * volume. Temporary memory per sample: box 4 bytes, 8 with invalid samples; ball 4 (1 + R / n)^2
+ * volume. Temporary memory per sample: box 4 bytes, 8 with invalid samples; ball 4 (1 + R / n)
  * bytes on n^3 samples, four times that with invalid ones; 4 more for a truncated ramp and for
  * AutoRadius.
  */

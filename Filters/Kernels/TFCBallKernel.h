@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Weights of a ball of lattice points, their sum inside a lattice, and their spectrum.
+ * @brief Weights of a ball of lattice points, and their sum inside a lattice.
  *
  * The ball holds the offsets o with |(o_x h_x, o_y h_y, o_z h_z)| <= R, h the distance of the
  * samples. Weight as a function of q = |.| / R:
@@ -13,15 +13,14 @@
  * Weights are even along each axis, so that an octant says everything. Offsets that no pair of
  * samples of the lattice has are left out: a radius beyond the lattice changes nothing.
  *
- * Memory: 12 to 16 bytes per offset of the octant, and that of the spectrum's octant.
+ * Memory: 16 bytes per offset of the octant.
  */
 
 #ifndef TFCBallKernel_h
 #define TFCBallKernel_h
 
-#include "TFCAlignedVector.h"
-#include "TFCCosineTransform.h"
 #include "TFCGradient.h"
+#include "TFCVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,90 +86,60 @@ public:
     this->Cumulate(nx * ny, nz, nx * ny * nz);
   }
 
+  ///@{
   /**
    * Largest offset along an axis.
    */
   Index GetReach(int axis) const { return this->Reach[axis]; }
+  const Index* GetReach() const { return this->Reach; }
+  ///@}
 
   /**
    * For each sample [x0, x1) of row (y, z) of the lattice: the sum of the weights of the part of
    * the ball around it that lies in the lattice. `profile` is scratch.
    */
-  void SumRow(Index y, Index z, Index x0, Index x1, std::vector<double>& profile,
-    double* sums) const
-  {
-    const Index nx = this->Reach[0] + 1;
-    profile.assign(static_cast<size_t>(nx), 0.);
-    for (const Index dz : { this->Low(2, z), this->High(2, z) })
-    {
-      for (const Index dy : { this->Low(1, y), this->High(1, y) })
-      {
-        const double* row = this->Cumulated.data() + (dz * (this->Reach[1] + 1) + dy) * nx;
-        for (Index x = 0; x < nx; ++x)
-        {
-          profile[x] += row[x];
-        }
-      }
-    }
-    for (Index x = x0; x < x1; ++x)
-    {
-      sums[x - x0] = profile[this->Low(0, x)] + profile[this->High(0, x)];
-    }
-  }
-
-  /**
-   * Distance between rows of frequencies along x in GetSpectrum(): zeros fill the last register.
-   */
   template <typename Real>
-  static Index GetSpectrumPitch(Index length)
+  void SumRow(Index y, Index z, Index x0, Index x1, std::vector<Real>& profile, Real* sums) const
   {
-    return CosineTransform<Real>::GetPitch(length);
+    const Index nx = this->Reach[0] + 1, last = this->Size[0] - 1;
+    const auto side = [this, nx](Index dy, Index dz)
+    { return this->Cumulated.data() + (dz * (this->Reach[1] + 1) + dy) * nx; };
+    const double* a = side(this->Low(1, y), this->Low(2, z));
+    const double* b = side(this->High(1, y), this->Low(2, z));
+    const double* c = side(this->Low(1, y), this->High(2, z));
+    const double* d = side(this->High(1, y), this->High(2, z));
+    // The sum on one side of a sample, by the number of samples there are: from the reach on it
+    // stays.
+    profile.resize(static_cast<size_t>(nx));
+    Real* __restrict profiles = profile.data();
+    for (Index x = 0; x < nx; ++x)
+    {
+      profiles[x] = static_cast<Real>((a[x] + b[x]) + (c[x] + d[x]));
+    }
+    const Real whole = profiles[nx - 1];
+    const Index low = std::clamp(nx - 1, x0, x1), high = std::clamp(last - nx + 1, x0, x1);
+    Real* __restrict to = sums;
+    for (Index x = x0; x < low; ++x)
+    {
+      to[x - x0] = profiles[x];
+    }
+    std::fill(to + (low - x0), to + (x1 - x0), whole);
+    for (Index x = x0; x < high; ++x)
+    {
+      to[x - x0] += whole;
+    }
+    for (Index x = high; x < x1; ++x)
+    {
+      to[x - x0] += profiles[last - x];
+    }
   }
 
   /**
-   * Discrete Fourier transform of the weights around the origin, times `scale`, of which the
-   * frequencies 0 ... length / 2 along each axis say everything: real, and even along each axis.
-   * By products with cosines; `run(count, body)` must call body(begin, end) on ranges that cover
-   * [0, count), in parallel if it likes.
+   * Weight of the offset (x, y, z), 0 <= x <= GetReach(0) and so on.
    */
-  template <typename Real, typename Run>
-  AlignedVector<Real> GetSpectrum(const Index length[3], double scale, Run&& run) const
+  double GetWeight(Index x, Index y, Index z) const
   {
-    const Index sx = this->Reach[0] + 1, sy = this->Reach[1] + 1, sz = this->Reach[2] + 1;
-    const Index kx = GetSpectrumPitch<Real>(length[0]);
-    const Index ky = length[1] / 2 + 1, kz = length[2] / 2 + 1;
-    const CosineTransform<Real> ex(length[0], sx, scale), ey(length[1], sy), ez(length[2], sz);
-    const std::vector<Real> weights(this->Weights.begin(), this->Weights.end());
-    AlignedVector<Real> a(static_cast<size_t>(kx * sy * sz)), b(static_cast<size_t>(kx * ky * sz));
-    AlignedVector<Real> result(static_cast<size_t>(kx * ky * kz));
-    run(sy * sz,
-      [&](Index begin, Index end)
-      {
-        for (Index row = begin; row < end; ++row)
-        {
-          ex.TransformSequence(weights.data() + row * sx, a.data() + row * kx);
-        }
-      });
-    run(sz * ey.GetNumberOfPairs(),
-      [&](Index begin, Index end)
-      {
-        for (Index i = begin; i < end; ++i)
-        {
-          const Index z = i / ey.GetNumberOfPairs(), pair = i % ey.GetNumberOfPairs();
-          ey.TransformRows(pair, a.data() + z * sy * kx, kx, kx, b.data() + z * ky * kx, kx);
-        }
-      });
-    // All of a y first: its rows of b then stay in the nearest cache.
-    run(ky * ez.GetNumberOfPairs(),
-      [&](Index begin, Index end)
-      {
-        for (Index i = begin; i < end; ++i)
-        {
-          const Index y = i / ez.GetNumberOfPairs(), pair = i % ez.GetNumberOfPairs();
-          ez.TransformRows(pair, b.data() + y * kx, ky * kx, kx, result.data() + y * kx, ky * kx);
-        }
-      });
-    return result;
+    return this->Weights[(z * (this->Reach[1] + 1) + y) * (this->Reach[0] + 1) + x];
   }
 
 private:
