@@ -219,10 +219,15 @@ TEST(Occlusion, DoesNotDependOnThreads)
   }
 }
 
-TEST(Occlusion, ProgressAndAbort)
+class OcclusionOf : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(OcclusionOf, ProgressAndAbort)
 {
   const auto image = MakeVolume<vtkFloatArray>(20, 20, 20, Noise);
   vtkNew<vtkTFCOcclusion> filter;
+  filter->SetNeighborhood(this->GetParam());
   filter->SetRadius(4);
   double last = 0.;
   vtkNew<vtkCallbackCommand> progress;
@@ -243,3 +248,6 @@ TEST(Occlusion, ProgressAndAbort)
   EXPECT_EQ(Compute(filter.Get(), image, Result), nullptr);
   EXPECT_GT(last, 0.3);
 }
+
+INSTANTIATE_TEST_SUITE_P(Neighborhoods, OcclusionOf,
+  testing::Values(vtkTFCOcclusion::BOX, vtkTFCOcclusion::SPHERE));
