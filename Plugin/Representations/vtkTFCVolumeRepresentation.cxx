@@ -12,6 +12,8 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkContextActor.h"
 #include "vtkContextScene.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -21,6 +23,7 @@
 #include "vtkPVRenderView.h"
 #include "vtkPVView.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -32,6 +35,9 @@
 
 namespace
 {
+// The piece of the view's data, after those of the base class, that holds the automatic ranges.
+constexpr int RANGES_PORT = 2;
+const char* const RANGES_ARRAY = "AutomaticRanges";
 
 //------------------------------------------------------------------------------
 // The image and rectilinear grids in `data` as images, which share their arrays; the geometry of
@@ -96,8 +102,14 @@ vtkTFCVolumeMapper* vtkTFCVolumeRepresentation::GetMapper()
 //------------------------------------------------------------------------------
 void vtkTFCVolumeRepresentation::SetTransferFunction(const char* state)
 {
-  // Not MarkModified(): the data this representation delivers does not depend on the model.
+  // Without MarkModified(): the data do not depend on the model. But the automatic ranges do, and
+  // the view delivers them only together with modified data.
   this->Model->SetState(state);
+  const auto axes = this->FindAutomaticAxes();
+  if (!axes.empty() && axes != this->RangedAxes)
+  {
+    this->MarkModified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -249,6 +261,13 @@ int vtkTFCVolumeRepresentation::ProcessViewRequest(vtkInformationRequestKey* req
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     this->UpdateAutomaticRanges();
+    vtkPVView::SetPiece(inInfo, this, this->AutomaticRanges, 0, RANGES_PORT);
+    vtkPVRenderView::SetDeliverToClientAndRenderingProcesses(inInfo, this,
+      /*deliver_to_client=*/true, /*gather_before_delivery=*/false, RANGES_PORT);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    this->UpdateLegendRanges(vtkPVView::GetDeliveredPiece(inInfo, this, RANGES_PORT));
   }
   return 1;
 }
@@ -293,28 +312,39 @@ int vtkTFCVolumeRepresentation::RequestData(vtkInformation* request,
 }
 
 //------------------------------------------------------------------------------
+// Both axes when one of them has no range in the model and something is to be drawn, else none.
+std::vector<vtkTFCAttribute> vtkTFCVolumeRepresentation::FindAutomaticAxes()
+{
+  if (this->Model->GetNumberOfRegions() == 0 ||
+    (this->Model->HasAxisRange(vtkTFCTransferFunction::Primary) &&
+      this->Model->HasAxisRange(vtkTFCTransferFunction::Secondary)))
+  {
+    return {};
+  }
+  vtkTFCCompiledModel model = this->Model->Compile();
+  model.Attributes.resize(2);
+  return model.Attributes;
+}
+
+//------------------------------------------------------------------------------
 // Axes without a range in the model run over the finite values on all ranks. View requests reach
 // all processes in the same order with the same model, so the reduction is collective.
 void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
 {
-  if (this->Model->HasAxisRange(vtkTFCTransferFunction::Primary) &&
-    this->Model->HasAxisRange(vtkTFCTransferFunction::Secondary))
-  {
-    this->GetMapper()->ClearAutomaticRanges();
-    this->Legend->ClearAutomaticRanges();
-    this->RangedAxes.clear();
-    return;
-  }
-  vtkTFCCompiledModel model = this->Model->Compile();
-  model.Attributes.resize(2);
+  const auto axes = this->FindAutomaticAxes();
   // An edit of a region must not cost a pass over the data.
-  if ((this->RangesTime == this->DataTime.GetMTime() && this->RangedAxes == model.Attributes) ||
-    this->Model->GetNumberOfRegions() == 0)
+  if (axes == this->RangedAxes && (axes.empty() || this->RangesTime == this->DataTime.GetMTime()))
   {
     return;
   }
   this->RangesTime = this->DataTime.GetMTime();
-  this->RangedAxes = model.Attributes;
+  this->RangedAxes = axes;
+  this->AutomaticRanges->Initialize();
+  if (axes.empty())
+  {
+    this->GetMapper()->ClearAutomaticRanges();
+    return;
+  }
 
   // Minima as they are, maxima negated: one reduction.
   double local[4];
@@ -323,7 +353,7 @@ void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
   {
     vtkTFCAttributeReader reader;
     std::string error; // the mapper reports it
-    if (!reader.Bind(image, model.Attributes, error))
+    if (!reader.Bind(image, axes, error))
     {
       continue;
     }
@@ -354,8 +384,29 @@ void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
   this->GetMapper()->SetAutomaticRanges(ranges[0], ranges[1]);
   if (ranges[0][0] <= ranges[0][1] && ranges[1][0] <= ranges[1][1])
   {
-    this->Legend->SetAutomaticRanges(ranges[0], ranges[1]);
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(RANGES_ARRAY);
+    array->SetNumberOfComponents(2);
+    array->InsertNextTuple(ranges[0]);
+    array->InsertNextTuple(ranges[1]);
+    this->AutomaticRanges->GetFieldData()->AddArray(array);
   }
+}
+
+//------------------------------------------------------------------------------
+// The legend is drawn where the client is: its ranges come with what a view delivers.
+void vtkTFCVolumeRepresentation::UpdateLegendRanges(vtkDataObject* delivered)
+{
+  auto* array = delivered ? delivered->GetFieldData()->GetArray(RANGES_ARRAY) : nullptr;
+  if (!array)
+  {
+    this->Legend->ClearAutomaticRanges();
+    return;
+  }
+  double ranges[2][2];
+  array->GetTuple(0, ranges[0]);
+  array->GetTuple(1, ranges[1]);
+  this->Legend->SetAutomaticRanges(ranges[0], ranges[1]);
 }
 
 //------------------------------------------------------------------------------

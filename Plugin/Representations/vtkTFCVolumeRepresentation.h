@@ -22,6 +22,8 @@
 #include <vector> // For attributes
 
 class vtkContextActor;
+class vtkDataObject;
+class vtkPolyData;
 class vtkTFCLegendItem;
 class vtkTFCTransferFunction;
 class vtkTFCVolumeMapper;
@@ -104,8 +106,7 @@ public:
   /**
    * A legend in the overlay of the view while the representation is visible: the domain with its
    * regions and their tertiary functions. See vtkTFCLegendItem for location, position and size (as
-   * fractions of the view), text colour and font size (points). On the client of a server, axes
-   * with automatic ranges have no numbers. Default: not shown.
+   * fractions of the view), text colour and font size (points). Default: not shown.
    */
   void SetLegendVisibility(bool visible);
   void SetLegendLocation(int location);
@@ -136,7 +137,9 @@ private:
   void operator=(const vtkTFCVolumeRepresentation&) = delete;
 
   vtkTFCVolumeMapper* GetMapper();
+  std::vector<vtkTFCAttribute> FindAutomaticAxes();
   void UpdateAutomaticRanges();
+  void UpdateLegendRanges(vtkDataObject* delivered);
   void FindWholeBounds(double bounds[6]);
 
   vtkNew<vtkTFCTransferFunction> Model;
@@ -145,6 +148,7 @@ private:
   vtkSmartPointer<vtkImplicitFunction> SlicePlane;
   vtkMTimeType RangesTime = 0;             ///< of the data
   std::vector<vtkTFCAttribute> RangedAxes; ///< whose automatic ranges the mapper has
+  vtkNew<vtkPolyData> AutomaticRanges;     ///< in its field data, for the client
   vtkTimeStamp DataTime;
   vtkNew<vtkTFCLegendItem> Legend;
   vtkNew<vtkContextActor> LegendActor;

@@ -35,8 +35,18 @@ def show():
                      "nothing stays of the highlight")
     display.LegendVisibility = 1
     display.LegendSize = [0.6, 0.6]
-    legend = pictures.capture(view)
-    return plain, highlighted, legend, tfc.score(source, "RTData", arrays=["X", "R"])
+    legends = [pictures.capture(view)]
+    scores = tfc.score(source, "RTData", arrays=["X", "R"])
+    # Ranges that only the server can know, and other ones after an edit of the model or the data.
+    view.Background = [0, 0, 0]
+    for axis in ("RTData", "X"):
+        automatic = tfc.TransferFunction("RTData", axis)
+        automatic.add_rectangle((500, 500), (10, 1), color=(1, 0, 0), opacity=0.5)
+        display.TransferFunction = automatic.to_json()
+        legends.append(pictures.capture(view))
+    simple.FindSource("Wavelet1").Maximum = 470
+    legends.append(pictures.capture(view))
+    return plain, highlighted, legends, scores
 
 
 def connect(port, server):
@@ -55,24 +65,32 @@ def connect(port, server):
     simple.Connect("localhost", port)
 
 
-picture, highlighted, legend, scores = show()
+pictures.SIZE = (480, 360)
+picture, highlighted, legends, scores = show()
 scripttest.check(float(picture.max()) > 60, "something is visible")
 difference = pictures.difference(picture, highlighted)
 scripttest.check(difference > 1, "the highlight is visible: %.1f/255" % difference)
-difference = pictures.difference(picture, legend)
+difference = pictures.difference(picture, legends[0])
 scripttest.check(difference > 1, "the legend is visible: %.1f/255" % difference)
+for first, second in zip(legends, legends[1:]):
+    difference = pictures.difference(first, second)
+    scripttest.check(difference > 0.02, "the legend's numbers change: %.3f/255" % difference)
 with socket.socket() as free:
     free.bind(("", 0))
     port = free.getsockname()[1]
 server = subprocess.Popen([sys.argv[1], "--server-port=%d" % port])
 try:
     connect(port, server)
-    remote, remote_highlighted, remote_legend, remote_scores = show()
+    remote, remote_highlighted, remote_legends, remote_scores = show()
     for here, there in ((picture, remote), (highlighted, remote_highlighted),
-                        (legend, remote_legend)):
+                        (legends[0], remote_legends[0])):
         difference = pictures.difference(here, there)
         scripttest.check(difference <= 0.5,
                          "the same picture: mean difference %.3f/255" % difference)
+    for here, there in zip(legends[1:], remote_legends[1:]):
+        difference = pictures.difference(here, there)
+        scripttest.check(difference <= 0.005,
+                         "the same numbers: mean difference %.4f/255" % difference)
     scripttest.check(repr(remote_scores) == repr(scores), "the same scores")
 finally:
     server.kill()
