@@ -114,7 +114,7 @@ bool vtkTFCNeighborhoodMean::RunBall(const tfc::BallKernel& kernel, float* out) 
     masked, kernel,
     [](tfc::Index count, auto&& body)
     { vtkTFCThreads::For(0, count, 1 + count / 64, vtkTFCSimd::Vectorize(body)); });
-  const vtkIdType floats = sizeof(Real) / sizeof(float);
+  const vtkIdType floats = masked ? 2 : 1;
   const auto buffer = vtkTFCLargeBuffer::Allocate(ball.GetSize() * floats);
   // A double buffer in memory that was asked for as floats: nothing is read before it is written.
   Real* spectrum = reinterpret_cast<Real*>(buffer.get());
@@ -201,10 +201,10 @@ double vtkTFCNeighborhoodMean::GetBallBytes(double radius) const
   }
   const double size = this->Masked ? sizeof(double) : sizeof(float), lanes = 64. / size;
   // Rows are filled to a cache line.
-  const double row = std::floor(static_cast<double>(this->Size[0]) / lanes + 1.) * 2. * lanes;
+  const double row = std::ceil(static_cast<double>(this->Size[0]) / lanes) * 2. * lanes;
   const double frequencies = length[1] / 2. + 1., pitch = length[2] / 2. + lanes;
   const double spectrum = static_cast<double>(this->Size[2]) * frequencies * row;
-  const double kernel = (reach[0] + 1.) * (frequencies + reach[1] + 1.) * pitch;
+  const double kernel = (reach[0] + lanes) * (frequencies + reach[1] + 1.) * pitch;
   const double thread = length[2] * (row + 2. * lanes) + (length[0] / 2. + 1.) * pitch;
   return size *
     ((this->Masked ? 2. : 1.) * spectrum + kernel + vtkTFCThreads::GetNumberOfThreads() * thread) +

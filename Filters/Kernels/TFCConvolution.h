@@ -18,7 +18,7 @@
  * Layout of the spectrum: [z][frequency of y][block of x][real, imaginary][lane].
  *
  * Cost per sample: about 15 log2(n) operations, n the padded length, size + reach. Memory:
- * GetSize() values and per thread GetPlaneSize() values.
+ * GetSize() values, about 1 + reach / size per sample, and in each thread a plane of frequencies.
  */
 
 #ifndef TFCConvolution_h
@@ -92,12 +92,12 @@ public:
   Index GetPitch() const { return this->Blocks * Lanes; }
 
   /**
-   * Buffers of one thread.
+   * Buffers of one thread, for one convolution.
    */
   struct Workspace
   {
     AlignedVector<Real> Re, Im; // sequences to transform
-    AlignedVector<Real> Plane;
+    AlignedVector<Real> Plane;  // of a frequency along y
     AlignedVector<Real> Zeros;
   };
 
@@ -112,6 +112,7 @@ public:
     const Index nx = this->Size[0], ny = this->Size[1], n = this->Y.GetLength();
     const Index* positions = this->Y.GetPositions();
     const bool second = z + 1 < this->Size[2];
+    const float* slices[2] = { values + z * ny * nx, values + (second ? z + 1 : z) * ny * nx };
     for (Index block = 0; block < this->Blocks; ++block)
     {
       Real* re = work.Re.data();
@@ -119,8 +120,8 @@ public:
       const Index x = block * Lanes, count = std::min<Index>(Lanes, nx - x);
       for (Index y = 0; y < ny; ++y)
       {
-        Load(values + (z * ny + y) * nx + x, count, convert, re + y * Lanes);
-        Load(values + ((z + 1) * ny + y) * nx + x, second ? count : 0, convert, im + y * Lanes);
+        Load(slices[0] + y * nx + x, count, convert, re + y * Lanes);
+        Load(slices[1] + y * nx + x, second ? count : 0, convert, im + y * Lanes);
       }
       std::fill(re + ny * Lanes, re + n * Lanes, Real(0));
       std::fill(im + ny * Lanes, im + n * Lanes, Real(0));
