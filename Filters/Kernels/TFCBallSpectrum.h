@@ -74,7 +74,8 @@ public:
       run, ey, frequencies * this->Blocks, sy,
       [&](Index column, Index y, Real* to)
       {
-        Copy(planes.data() + (column / this->Blocks * sy + y) * row + column % this->Blocks * Lanes,
+        CopyLanes<Lanes>(planes.data() + (column / this->Blocks * sy + y) * row +
+            column % this->Blocks * Lanes,
           to);
       },
       [&](Index column, Index ky)
@@ -112,7 +113,8 @@ public:
     {
       TransformPair(
         this->X, group, this->Groups, this->Reach + 1, work.Re, work.Im,
-        [&](Index g, Index x, Real* to) { Copy(work.Rows.data() + (g * row + x) * Lanes, to); },
+        [&](Index g, Index x, Real* to)
+        { CopyLanes<Lanes>(work.Rows.data() + (g * row + x) * Lanes, to); },
         [&](Index g, Index kx) { return work.Plane.data() + g * size + kx * Lanes; });
     }
     return work.Plane.data();
@@ -120,15 +122,6 @@ public:
 
 private:
   Index GetPlaneSize() const { return this->Groups * Lanes * this->Blocks * Lanes; }
-
-  static void Copy(const Real* __restrict from, Real* __restrict to)
-  {
-    TFC_INDEPENDENT
-    for (int l = 0; l < Lanes; ++l)
-    {
-      to[l] = from[l];
-    }
-  }
 
   /**
    * Transforms of all `columns`, of Lanes even sequences each; see TransformPair().
@@ -167,7 +160,7 @@ private:
       for (Index j = 0; j < count; ++j)
       {
         load(column, j, part + j * Lanes);
-        Copy(part + j * Lanes, part + (j ? n - j : 0) * Lanes);
+        CopyLanes<Lanes>(part + j * Lanes, part + (j ? n - j : 0) * Lanes);
       }
     }
     transform.Transform(re.data(), im.data());
@@ -175,7 +168,8 @@ private:
     {
       for (Index k = 0; k <= n / 2; ++k)
       {
-        Copy(parts[column - first] + transform.GetPositions()[k] * Lanes, place(column, k));
+        CopyLanes<Lanes>(parts[column - first] + transform.GetPositions()[k] * Lanes,
+          place(column, k));
       }
     }
   }

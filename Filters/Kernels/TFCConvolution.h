@@ -12,7 +12,7 @@
  *      kernel's spectrum, and back. Its plane stays in the second-level cache; only here are
  *      columns and rows transposed (TFCTranspose.h);
  *   3. Backward(z): back along y, two slices.
- * Of the padding, only that of y is ever in memory. Transforms that would see only padding, or
+ * Of the padding, the spectrum holds only that of y. Transforms that would see only padding, or
  * whose result nobody wants, are left out.
  *
  * Layout of the spectrum: [z][frequency of y][block of x][real, imaginary][lane].
@@ -155,8 +155,8 @@ public:
       const Real* column = spectrum + this->At(0, k, block);
       for (Index z = 0; z < this->Size[2]; ++z)
       {
-        Copy(column + z * stride, re + z * Lanes);
-        Copy(column + z * stride + Lanes, im + z * Lanes);
+        CopyLanes<Lanes>(column + z * stride, re + z * Lanes);
+        CopyLanes<Lanes>(column + z * stride + Lanes, im + z * Lanes);
       }
       std::fill(re + this->Size[2] * Lanes, re + n * Lanes, Real(0));
       std::fill(im + this->Size[2] * Lanes, im + n * Lanes, Real(0));
@@ -164,8 +164,8 @@ public:
       for (Index kz = 0; kz < n; ++kz)
       {
         const Index from = positions[kz] * Lanes;
-        Copy(re + from, work.Plane.data() + this->PlaneAt(kz, block));
-        Copy(im + from, work.Plane.data() + this->PlaneAt(kz, block) + Lanes);
+        CopyLanes<Lanes>(re + from, work.Plane.data() + this->PlaneAt(kz, block));
+        CopyLanes<Lanes>(im + from, work.Plane.data() + this->PlaneAt(kz, block) + Lanes);
       }
     }
     // The frequencies kz and n - kz have the same response.
@@ -183,14 +183,14 @@ public:
       for (Index kz = 0; kz < n; ++kz)
       {
         const Index to = positions[kz] * Lanes;
-        Copy(work.Plane.data() + this->PlaneAt(kz, block), re + to);
-        Copy(work.Plane.data() + this->PlaneAt(kz, block) + Lanes, im + to);
+        CopyLanes<Lanes>(work.Plane.data() + this->PlaneAt(kz, block), re + to);
+        CopyLanes<Lanes>(work.Plane.data() + this->PlaneAt(kz, block) + Lanes, im + to);
       }
       this->Z.Invert(re, im);
       for (Index z = this->Begin[2]; z < this->End[2]; ++z)
       {
-        Copy(re + z * Lanes, spectrum + this->At(z, k, block));
-        Copy(im + z * Lanes, spectrum + this->At(z, k, block) + Lanes);
+        CopyLanes<Lanes>(re + z * Lanes, spectrum + this->At(z, k, block));
+        CopyLanes<Lanes>(im + z * Lanes, spectrum + this->At(z, k, block) + Lanes);
       }
     }
   }
@@ -221,10 +221,10 @@ public:
       Real* to = sums + block * Lanes;
       for (Index y = this->Begin[1]; y < this->End[1]; ++y, to += pitch)
       {
-        Copy(re + y * Lanes, to);
+        CopyLanes<Lanes>(re + y * Lanes, to);
         if (second)
         {
-          Copy(im + y * Lanes, to + (this->End[1] - this->Begin[1]) * pitch);
+          CopyLanes<Lanes>(im + y * Lanes, to + (this->End[1] - this->Begin[1]) * pitch);
         }
       }
     }
@@ -249,15 +249,6 @@ private:
       work.Im.assign(static_cast<size_t>(size), Real(0));
       work.Plane.resize(static_cast<size_t>(this->PlaneAt(this->Z.GetLength(), 0)));
       work.Zeros.assign(static_cast<size_t>(this->PlaneAt(1, 0)), Real(0));
-    }
-  }
-
-  static void Copy(const Real* __restrict from, Real* __restrict to)
-  {
-    TFC_INDEPENDENT
-    for (int l = 0; l < Lanes; ++l)
-    {
-      to[l] = from[l];
     }
   }
 

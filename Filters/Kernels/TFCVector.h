@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What the kernels tell the compiler about their loops.
+ * @brief What the kernels tell the compiler about their loops, and the shortest of these.
  */
 
 #ifndef TFCVector_h
@@ -20,5 +20,21 @@
 #else
 #define TFC_INDEPENDENT
 #endif
+
+namespace tfc
+{
+/**
+ * Copies the numbers of one register, or of a few.
+ */
+template <int Lanes, typename Real>
+inline void CopyLanes(const Real* __restrict from, Real* __restrict to)
+{
+  TFC_INDEPENDENT
+  for (int l = 0; l < Lanes; ++l)
+  {
+    to[l] = from[l];
+  }
+}
+}
 
 #endif
