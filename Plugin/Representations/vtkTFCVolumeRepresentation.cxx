@@ -267,7 +267,7 @@ int vtkTFCVolumeRepresentation::ProcessViewRequest(vtkInformationRequestKey* req
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
-    this->UpdateLegendRanges(vtkPVView::GetDeliveredPiece(inInfo, this, RANGES_PORT));
+    this->UseAutomaticRanges(vtkPVView::GetDeliveredPiece(inInfo, this, RANGES_PORT));
   }
   return 1;
 }
@@ -342,7 +342,6 @@ void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
   this->AutomaticRanges->Initialize();
   if (axes.empty())
   {
-    this->GetMapper()->ClearAutomaticRanges();
     return;
   }
 
@@ -375,38 +374,41 @@ void vtkTFCVolumeRepresentation::UpdateAutomaticRanges()
   {
     controller->AllReduce(local, global, 4, vtkCommunicator::MIN_OP);
   }
-  double ranges[2][2];
+  vtkNew<vtkDoubleArray> ranges;
+  ranges->SetName(RANGES_ARRAY);
+  ranges->SetNumberOfComponents(2);
   for (int axis = 0; axis < 2; ++axis)
   {
-    ranges[axis][0] = global[2 * axis];
-    ranges[axis][1] = -global[2 * axis + 1];
+    ranges->InsertNextTuple2(global[2 * axis], -global[2 * axis + 1]);
   }
-  this->GetMapper()->SetAutomaticRanges(ranges[0], ranges[1]);
-  if (ranges[0][0] <= ranges[0][1] && ranges[1][0] <= ranges[1][1])
-  {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(RANGES_ARRAY);
-    array->SetNumberOfComponents(2);
-    array->InsertNextTuple(ranges[0]);
-    array->InsertNextTuple(ranges[1]);
-    this->AutomaticRanges->GetFieldData()->AddArray(array);
-  }
+  this->AutomaticRanges->GetFieldData()->AddArray(ranges);
 }
 
 //------------------------------------------------------------------------------
-// The legend is drawn where the client is: its ranges come with what a view delivers.
-void vtkTFCVolumeRepresentation::UpdateLegendRanges(vtkDataObject* delivered)
+// From what the view delivers: it may have kept the data of another time, and the legend is drawn
+// where the client is.
+void vtkTFCVolumeRepresentation::UseAutomaticRanges(vtkDataObject* delivered)
 {
   auto* array = delivered ? delivered->GetFieldData()->GetArray(RANGES_ARRAY) : nullptr;
   if (!array)
   {
+    this->GetMapper()->ClearAutomaticRanges();
     this->Legend->ClearAutomaticRanges();
     return;
   }
   double ranges[2][2];
   array->GetTuple(0, ranges[0]);
   array->GetTuple(1, ranges[1]);
-  this->Legend->SetAutomaticRanges(ranges[0], ranges[1]);
+  this->GetMapper()->SetAutomaticRanges(ranges[0], ranges[1]);
+  // An axis without a finite value is nothing that could be drawn.
+  if (ranges[0][0] <= ranges[0][1] && ranges[1][0] <= ranges[1][1])
+  {
+    this->Legend->SetAutomaticRanges(ranges[0], ranges[1]);
+  }
+  else
+  {
+    this->Legend->ClearAutomaticRanges();
+  }
 }
 
 //------------------------------------------------------------------------------

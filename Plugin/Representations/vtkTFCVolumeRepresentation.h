@@ -139,7 +139,7 @@ private:
   vtkTFCVolumeMapper* GetMapper();
   std::vector<vtkTFCAttribute> FindAutomaticAxes();
   void UpdateAutomaticRanges();
-  void UpdateLegendRanges(vtkDataObject* delivered);
+  void UseAutomaticRanges(vtkDataObject* delivered);
   void FindWholeBounds(double bounds[6]);
 
   vtkNew<vtkTFCTransferFunction> Model;
@@ -147,8 +147,8 @@ private:
   int SharedBlendMode = 0;
   vtkSmartPointer<vtkImplicitFunction> SlicePlane;
   vtkMTimeType RangesTime = 0;             ///< of the data
-  std::vector<vtkTFCAttribute> RangedAxes; ///< whose automatic ranges the mapper has
-  vtkNew<vtkPolyData> AutomaticRanges;     ///< in its field data, for the client
+  std::vector<vtkTFCAttribute> RangedAxes; ///< whose automatic ranges were computed
+  vtkNew<vtkPolyData> AutomaticRanges;     ///< in its field data, for the view to deliver
   vtkTimeStamp DataTime;
   vtkNew<vtkTFCLegendItem> Legend;
   vtkNew<vtkContextActor> LegendActor;
