@@ -25,8 +25,8 @@ builtins.tfc_steps.append(time)
 output = self.GetOutputDataObject(0)
 output.SetDimensions(9, 9, 9)
 for name, axis in (("a", 0), ("b", 1)):
-    index = np.moveaxis(np.mgrid[:9, :9, :9].astype(float), 0, -1)[..., 2 - axis]
-    array = numpy_to_vtk((index * (1 + time) + time).ravel(), deep=1)
+    index = np.indices((9, 9, 9))[2 - axis]
+    array = numpy_to_vtk((index * (1.0 + time) + time).ravel(), deep=1)
     array.SetName(name)
     output.GetPointData().AddArray(array)
 """
