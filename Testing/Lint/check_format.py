@@ -29,11 +29,13 @@ program = find_program()
 if not program:
     lint.skip("needs clang-format %s (Debian: clang-format-%s)" % (VERSION, VERSION))
 paths = lint.files(".h", ".cxx", ".txx")
-problems = []
-for path in paths:
-    result = subprocess.run([program, "--dry-run", path], cwd=lint.ROOT, stderr=subprocess.PIPE)
-    found = re.search(r":(\d+):\d+: warning", result.stderr.decode())
-    if found or result.returncode:
-        problems.append("%s:%s: not formatted: run %s -i %s"
-                        % (path, found.group(1) if found else 1, os.path.basename(program), path))
+# One process: to start it takes longer than to check some files.
+result = subprocess.run([program, "--dry-run"] + paths, cwd=lint.ROOT, stderr=subprocess.PIPE)
+first = {}
+for path, line in re.findall(r"^(.*?):(\d+):\d+: warning", result.stderr.decode(), re.MULTILINE):
+    first.setdefault(path, line)
+problems = ["%s:%s: not formatted: run %s -i %s" % (path, line, os.path.basename(program), path)
+            for path, line in sorted(first.items())]
+if result.returncode:
+    problems.append("%s failed: %s" % (program, result.stderr.decode()[-300:]))
 lint.finish(problems, len(paths))
