@@ -18,10 +18,10 @@ import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Python"))
 import pictures  # noqa: E402
+import playback  # noqa: E402
 
 TIMEOUT = 150  # s
 LARGEST_DIFFERENCE = 0.5  # mean over all pixels and channels, of 255
-MESSAGES = re.compile(r"ERR\||WARN\||Failed to load|critical:|Traceback")
 # With --server-url, ParaView 5.11 reads the definitions that the server sends before it loads the
 # plugin on its own side, and then does not know the classes of the plugin's domains.
 EXPECTED = re.compile(r"vtkSMProperty\.cxx:\d+ +ERR\| \w+ \(0x[0-9a-f]+\): "
@@ -50,25 +50,6 @@ def wait_for(port, server):
     sys.exit("the server does not listen")
 
 
-def check_messages(output):
-    """Show what a process wrote; ends the test when it reports anything."""
-    print(output, flush=True)
-    unexpected = [line for line in output.splitlines()
-                  if MESSAGES.search(line) and not EXPECTED.search(line)]
-    if unexpected:
-        sys.exit("reported: " + unexpected[0])
-
-
-def play(command, folder):
-    """Play back, with pictures into the folder."""
-    result = subprocess.run(
-        command + ["--test-directory=" + folder, "--exit"], timeout=TIMEOUT, check=False,
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
-    check_messages(result.stdout)
-    if result.returncode:
-        sys.exit("the playback ended with %d" % result.returncode)
-
-
 def compare(local, remote):
     """The pictures in two folders."""
     names = sorted(name for name in os.listdir(local) if name.endswith(".png"))
@@ -95,14 +76,15 @@ def main():
     port = free_port()
     with tempfile.TemporaryDirectory() as local, tempfile.TemporaryDirectory() as remote, \
             tempfile.TemporaryFile("w+", errors="replace") as log:
-        play(command, local)
+        playback.play(command, local, TIMEOUT)
         with subprocess.Popen(sys.argv[4:] + options + ["--server-port=%d" % port], stdout=log,
                               stderr=subprocess.STDOUT) as server:
             try:
                 wait_for(port, server)
-                play(command + ["--server-url=cs://localhost:%d" % port], remote)
+                playback.play(command + ["--server-url=cs://localhost:%d" % port], remote, TIMEOUT,
+                              EXPECTED)
                 log.seek(0)
-                check_messages(log.read())
+                playback.check_messages(log.read(), EXPECTED)
             finally:
                 server.terminate()
         compare(local, remote)

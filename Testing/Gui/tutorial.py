@@ -10,8 +10,6 @@ test.
 """
 import json
 import os
-import re
-import subprocess
 import sys
 import tempfile
 
@@ -22,10 +20,10 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 sys.path.insert(0, sys.argv[1])
 import invesalius  # noqa: E402
 import pictures  # noqa: E402
+import playback  # noqa: E402
 import scripttest  # noqa: E402
 from scripttest import check  # noqa: E402
 
-MESSAGES = re.compile(r"ERR\||WARN\||Failed to load|critical:|Traceback")
 TIMEOUT = 280  # s
 
 
@@ -39,16 +37,6 @@ def write_data(path):
         scripttest.skip("install Debian's package invesalius-examples, or set TFC_DATA_ROOT to a "
                         "folder with ct_head_invesalius.vti")
     os.symlink(os.path.abspath(copy), path)
-
-
-def play(command, folder):
-    """Play back, with states and pictures into the folder."""
-    result = subprocess.run(
-        command + ["--test-directory=" + folder], timeout=TIMEOUT, check=False,
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
-    print(result.stdout, flush=True)
-    check(not MESSAGES.search(result.stdout), "nothing is reported")
-    check(result.returncode == 0, "all events are played")
 
 
 def main():
@@ -66,7 +54,7 @@ def main():
             return shown.mean()
 
         write_data(os.path.join(folder, "ct_head.vti"))
-        play(sys.argv[2:], folder)
+        playback.play(sys.argv[2:], folder, TIMEOUT)
 
         proposal = state("proposal")
         check([proposal[axis]["array"] for axis in ("primary", "secondary")] ==
